@@ -1,7 +1,5 @@
 import type { DecodeInput, ProgressListener } from '../formats/base/decoded-volume.ts';
-
-/** Number of files that are fetched at once: enough to hide the server's latency, and few enough to take little memory. */
-const ahead = 6;
+import { readAhead } from '../formats/base/read-ahead.ts';
 
 /** Fetches one file. */
 export type FetchOne = (url: string, onProgress: ProgressListener) => Promise<DecodeInput>;
@@ -26,13 +24,8 @@ export async function* fetchInOrder(
       if (urls.length > 1) onProgress(sum, 0);
       else onProgress(bytes, total);
     };
-  const coming: Promise<DecodeInput>[] = [];
-  for (let next = 0, given = 0; given < urls.length; given++) {
-    for (; next < urls.length && next < given + ahead; next++) {
-      const file = fetchOne(urls[next], listen(next));
-      file.catch(() => undefined); // The error is thrown when the file's turn comes.
-      coming.push(file);
-    }
-    yield await coming.shift()!;
+  for await (const file of readAhead(urls, (url, place) => fetchOne(url, listen(place)))) {
+    if (file.status === 'rejected') throw file.reason;
+    yield file.value;
   }
 }

@@ -1,7 +1,10 @@
 import { VolumeViewError } from '../core/errors.ts';
 import { checkFileCount } from '../formats/base/check-file-count.ts';
 import { findForeign } from '../formats/base/foreign-formats.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { keptBytes } from '../formats/base/format.ts';
 import type { FileStart, Format } from '../formats/base/format.ts';
+import { readAhead } from '../formats/base/read-ahead.ts';
 import { manifest } from '../formats/manifest/manifest-format.ts';
 import { rareFormats } from '../formats/rare-formats.ts';
 import { allFormats } from '../formats/registry.ts';
@@ -14,6 +17,9 @@ import type { FileKind, SniffedFile } from './divide-files.ts';
 /** Bytes of each file by which its format is recognized. */
 export const startBytes = 2 ** 16;
 
+/** The starts of so many files are kept: 32 MiB. */
+const maxStarts = 2 ** 11;
+
 /** Bytes of a manifest, which has to be read to know that it is one: other programs write JSON files too. */
 const maxManifestBytes = 2 ** 26;
 
@@ -25,13 +31,20 @@ export interface FoundVolume {
   readonly files?: readonly string[];
   /** Whether names of the files may be those of patients: then messages do not have them. */
   readonly isPrivate?: true;
+  /** The starts of some files of a series, which were read already. */
+  readonly starts?: ReadonlyMap<string, DecodeInput>;
 }
 
 export interface FindOptions {
   /** Whether images are slices of one volume. */
   readonly isStack: boolean;
   readonly signal?: AbortSignal;
+  /** Called while many files are looked at. */
+  readonly onLook?: () => void;
 }
+
+/** A call of `onLook` comes after so many files. */
+const lookEvery = 32;
 
 /**
  * Finds the one volume that the files of an archive, or chosen files, hold: the file of a manifest, else the only file of
@@ -43,20 +56,24 @@ export interface FindOptions {
 export async function findVolume(
   store: ByteStore,
   what: string,
-  { isStack, signal }: FindOptions,
+  { isStack, signal, onLook }: FindOptions,
 ): Promise<FoundVolume> {
   const urls = ((await store.list()) ?? []).filter((url) => !isLitter(url));
   if (urls.length === 0) throw new VolumeViewError('format/unknown', `${what} holds no files; expected one volume`);
   const [first] = urls;
   if (urls.length === 1) return { first, ...(isStack && { files: urls }) };
   const files: SniffedFile[] = [];
+  const starts = new Map<string, DecodeInput>();
   let other: { readonly url: string; readonly name: string; readonly advice: string } | null = null;
-  for (const url of urls) {
+  const range = { start: 0, end: startBytes };
+  for await (const read of readAhead(urls, (url) => store.read(url, { range, signal }))) {
     signal?.throwIfAborted();
-    const { bytes } = await store.read(url, { range: { start: 0, end: startBytes }, signal });
-    const start = await lookAt(bytes);
+    if (read.status === 'rejected') throw read.reason;
+    const url = urls[files.length];
+    const start = await lookAt(read.value.bytes);
     const kind = await sniffKind(store, url, start);
-    files.push({ url, kind });
+    if (files.push({ url, kind }) % lookEvery === 0) onLook?.();
+    if (kind === 'slice' && starts.size < maxStarts) starts.set(url, keepStart(read.value));
     const foreign = kind === 'other' ? findForeign(start) : null;
     if (foreign) other ??= { url, ...foreign };
   }
@@ -66,12 +83,21 @@ export async function findVolume(
       return { first: division.first };
     case 'stack':
       checkFileCount(what, division.files.length);
-      return { first: division.files[0], files: division.files, ...(division.of === 'slices' && { isPrivate: true }) };
+      return {
+        first: division.files[0],
+        files: division.files,
+        ...(division.of === 'slices' && { isPrivate: true, starts }),
+      };
     case 'several':
       throw refuseSeveral(what, division.urls, division.of);
     case 'nothing':
       throw refuseAll(what, urls, other);
   }
+}
+
+function keepStart({ bytes, missing = 0, ...rest }: DecodeInput): DecodeInput {
+  const kept = bytes.slice(0, keptBytes);
+  return { ...rest, bytes: kept, missing: missing + bytes.length - kept.length };
 }
 
 /** What a file of a store is, by its start. @param start - of the file */

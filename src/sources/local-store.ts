@@ -5,6 +5,9 @@ import type { ByteStore, FileStat, ReadOptions } from './byte-store.ts';
 import { Download } from './download.ts';
 import { refuseSize } from './store-errors.ts';
 
+/** Parts of a file of at most so many bytes are read in one piece. */
+const atOnce = 2 ** 22;
+
 /**
  * Files from the reader's disk: those that a person chose, or a folder. Their URLs are below `base`, with the path inside
  * of the folder where a folder was chosen.
@@ -39,25 +42,39 @@ export class LocalStore implements ByteStore {
     { range, maxBytes, signal, isEnough, onProgress = () => undefined }: ReadOptions = {},
   ): Promise<DecodeInput> {
     const file = this.#find(url);
-    const part = range ? file.slice(range.start, range.end) : file;
-    const download = new Download(url, { signal, maxBytes, pageOrigin: '', isEnough, onProgress });
+    const size = range ? Math.max(0, Math.min(range.end, file.size) - range.start) : file.size;
+    const missing = range ? Math.max(0, file.size - range.end) : 0;
+    const name = this.#nameOf(url);
+    if (maxBytes !== undefined && size > maxBytes) throw refuseSize(name, size, maxBytes);
     try {
-      return await download.read(
+      const part = range ? file.slice(range.start, range.end) : file;
+      // A stream is worth its time only where somebody waits for the first bytes of many.
+      if (size <= atOnce) {
+        const bytes = new Uint8Array(await part.arrayBuffer());
+        signal?.throwIfAborted();
+        onProgress(bytes.length, bytes.length);
+        return { bytes, url, contentType: file.type, missing };
+      }
+      const download = new Download(url, { signal, maxBytes, pageOrigin: '', isEnough, onProgress });
+      const read = await download.read(
         new Response(part, {
-          headers: { 'content-length': String(part.size), 'content-type': file.type, 'accept-ranges': 'bytes' },
+          headers: { 'content-length': String(size), 'content-type': file.type, 'accept-ranges': 'bytes' },
         }),
       );
+      return range ? { ...read, missing } : read;
     } catch (cause) {
       signal?.throwIfAborted();
-      // The name of a single file may be that of a patient, and says nothing new.
-      const name = this.#files.size > 1 ? pathOf(url) : 'the chosen file';
-      if (cause instanceof VolumeViewError) throw refuseSize(name, part.size, maxBytes!);
       throw new VolumeViewError(
         'source/not-found',
         `${name} can not be read from the disk: it was moved, changed or removed since it was chosen, or it is a folder; expected a file. Choose it again`,
         { cause },
       );
     }
+  }
+
+  /** The name of a single file may be that of a patient, and says nothing new. */
+  #nameOf(url: string): string {
+    return this.#files.size > 1 ? pathOf(url) : 'the chosen file';
   }
 
   #find(url: string): Blob {

@@ -1,11 +1,14 @@
 // Opens what holds files: a ZIP archive, or the files that a person chose. Loaded when it is needed.
 import { VolumeViewError } from '../core/errors.ts';
 import type { DecodedVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
+import { keptBytes } from '../formats/base/format.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
 import type { ByteStore, ReadOptions } from './byte-store.ts';
 import { findVolume, isLitter } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
+import { FolderReader } from './folder-reader.ts';
+import type { FolderLoad } from './folder-reader.ts';
 import { HttpStore } from './http-store.ts';
 import { LocalStore } from './local-store.ts';
 import { MemoryStore } from './memory-store.ts';
@@ -18,9 +21,16 @@ import { ZipStore } from './zip-store.ts';
 export interface OpenedFiles extends FoundVolume {
   /** Their kind and number, without a name. */
   readonly source: NonNullable<DecodedVolume['source']>;
-  /** Reads any file that belongs to it; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
+  /** Reads the files of series in parts. */
+  readonly folder?: FolderReader;
+  /** Reads any file that belongs to it, of a folder its start; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
   read(url: string, options: ReadOptions): Promise<DecodeInput>;
 }
+
+type OpenOptions = Pick<FindOptions, 'isStack' | 'signal'> & {
+  /** Reads files of series in parts for this load; they are read as a whole if undefined. */
+  readonly load?: FolderLoad;
+};
 
 /** The URLs of files in an archive begin with this: no server can have this name (RFC 2606). */
 const archiveBase = 'https://archive.invalid/';
@@ -30,7 +40,7 @@ const archiveBase = 'https://archive.invalid/';
  * @param given - the archive, or the files
  * @throws {VolumeViewError} `format/…`, `source/…`, `attribute/invalid`
  */
-export async function openFiles(given: DecodeInput | LocalFiles, options: FindOptions): Promise<OpenedFiles> {
+export async function openFiles(given: DecodeInput | LocalFiles, options: OpenOptions): Promise<OpenedFiles> {
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
   const files = await openHandles(given.files);
   const store = await PrivateStore.of(new LocalStore(files, given.base), given.base, isLitter);
@@ -58,19 +68,29 @@ export async function openFiles(given: DecodeInput | LocalFiles, options: FindOp
   );
 }
 
-async function openZip(store: ByteStore, url: string, name: string, options: FindOptions): Promise<OpenedFiles> {
+async function openZip(store: ByteStore, url: string, name: string, options: OpenOptions): Promise<OpenedFiles> {
   const zip = await ZipStore.open(store, url, archiveBase, name);
   return openStore(zip, `the ZIP archive ${name}`, archiveBase, options);
 }
 
-async function openStore(store: ByteStore, what: string, base: string, options: FindOptions): Promise<OpenedFiles> {
-  const found = await findVolume(store, what, options);
+async function openStore(store: ByteStore, what: string, base: string, options: OpenOptions): Promise<OpenedFiles> {
+  // Looking at many files takes a while: whoever waits is to know that it goes on.
+  const found = await findVolume(store, what, { ...options, onLook: () => options.load?.onProgress(0, 0) });
+  const { files, isPrivate, starts } = found;
+  const readOne: ByteStore['read'] = (url, reading) => readPrivate(store, url, found, reading);
+  const { load, signal } = options;
+  const folder =
+    load && files && isPrivate ? await FolderReader.of(store, files, readOne, { load, starts, signal }) : null;
   return {
     ...found,
+    ...(folder && { folder }),
     source: { kind: base === archiveBase ? 'archive' : 'files', count: (await store.list())?.length ?? 0 },
     async read(url, reading) {
       if (url.startsWith(base))
-        return found.isPrivate ? readPrivate(store, url, found, reading) : store.read(url, reading);
+        // The start of the first file says its format. Its reader reads all of them by itself.
+        return folder
+          ? { ...(await folder.readStart(url, keptBytes)), missing: 0 }
+          : (isPrivate ? readOne : store.read.bind(store))(url, reading);
       if (url.startsWith('data:')) return new HttpStore({ pageOrigin: '' }).read(url, reading);
       // A file from anywhere must not make the page request what its author has not named.
       throw new VolumeViewError(
@@ -86,7 +106,7 @@ async function readPrivate(
   store: ByteStore,
   url: string,
   { files = [] }: FoundVolume,
-  options: ReadOptions,
+  options: ReadOptions = {},
 ): Promise<DecodeInput> {
   try {
     return await store.read(url, options);

@@ -20,6 +20,9 @@ const methods: Readonly<Record<number, string>> = {
   99: 'AES',
 };
 
+/** Packed bytes that are read in addition to those of a range, for what says how they are packed. */
+const startOnTrust = 2 ** 10;
+
 /** The files in a ZIP archive, which is itself a file of another store. */
 export class ZipStore implements ByteStore {
   /**
@@ -63,14 +66,13 @@ export class ZipStore implements ByteStore {
     const entry = this.#find(url);
     const [start, end] = [Math.min(range?.start ?? 0, entry.size), Math.min(range?.end ?? entry.size, entry.size)];
     if (end - start > maxBytes) throw refuseSize(this.#describe(entry), end - start, maxBytes);
-    const packed = await this.#readPacked(entry);
-    const isWhole = end - start === entry.size;
-    const bytes = isWhole
-      ? await this.#unpackWhole(entry, packed)
+    // Who reads a whole file is to know whether it is damaged; who looks at its start is not.
+    const bytes = !range
+      ? await this.#unpackWhole(entry, await this.#readPacked(entry))
       : entry.method === 0
-        ? packed.slice(start, end)
-        : this.#unpackPart(entry, packed, { start, end });
-    return { bytes, url, contentType: '', packedBytes: entry.packed };
+        ? (await this.#readPacked(entry, { start, end })).slice()
+        : await this.#unpackPart(entry, { start, end });
+    return { bytes, url, contentType: '', packedBytes: entry.packed, missing: entry.size - end };
   }
 
   #find(url: string): ZipEntry {
@@ -86,7 +88,8 @@ export class ZipStore implements ByteStore {
     return `${path.slice(0, 200)} in the ZIP archive ${this.name}`;
   }
 
-  async #readPacked(entry: ZipEntry): Promise<Uint8Array<ArrayBuffer>> {
+  /** Reads a file as it lies in the archive. @param range - of these bytes; all if undefined */
+  async #readPacked(entry: ZipEntry, range?: ByteRange): Promise<Uint8Array<ArrayBuffer>> {
     const { isEncrypted, method, start, packed } = entry;
     if (isEncrypted)
       throw unsupportedZip(this.name, 'is encrypted', 'expected one without a password: pack the files again');
@@ -101,7 +104,7 @@ export class ZipStore implements ByteStore {
     const view = new DataView(header.buffer, header.byteOffset, localBytes);
     if (view.getUint32(0, true) !== 0x04034b50) throw corruptZip(this.name, 'has no file where its list says');
     const dataStart = start + localBytes + view.getUint16(26, true) + view.getUint16(28, true);
-    return this.readBytes(dataStart, dataStart + packed);
+    return this.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
   }
 
   /** Unpacks a file, and checks its length and its checksum. */
@@ -125,8 +128,22 @@ export class ZipStore implements ByteStore {
     return bytes;
   }
 
-  /** Unpacks a file up to the end of a range. */
-  #unpackPart(entry: ZipEntry, packed: Uint8Array<ArrayBuffer>, { start, end }: ByteRange): Uint8Array<ArrayBuffer> {
+  /** Unpacks a file up to the end of a range. Of the packed bytes it reads few first: they are enough where packing made them fewer. */
+  async #unpackPart(entry: ZipEntry, range: ByteRange): Promise<Uint8Array<ArrayBuffer>> {
+    const few = range.end + startOnTrust;
+    if (few >= entry.packed) return this.#unpackUpTo(entry, await this.#readPacked(entry), range)!;
+    return (
+      this.#unpackUpTo(entry, await this.#readPacked(entry, { start: 0, end: few }), range) ??
+      this.#unpackUpTo(entry, await this.#readPacked(entry), range)!
+    );
+  }
+
+  /** @returns null where the packed bytes are only the first ones, and not enough */
+  #unpackUpTo(
+    entry: ZipEntry,
+    packed: Uint8Array<ArrayBuffer>,
+    { start, end }: ByteRange,
+  ): Uint8Array<ArrayBuffer> | null {
     const bytes = new Uint8Array(end - start);
     let at = 0;
     try {
@@ -137,6 +154,7 @@ export class ZipStore implements ByteStore {
         if (at >= end) break;
       }
     } catch (cause) {
+      if (cause instanceof DeflateError && cause.isCut && packed.length < entry.packed) return null;
       if (cause instanceof DeflateError)
         throw new VolumeViewError(
           'format/corrupt',

@@ -57,6 +57,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
+  const load = { request, onCoarse, onProgress: report('fetch') };
   const fetchOne: FetchOne = (url, onProgress) => {
     const read = opened?.read ?? fetchBytes;
     return read(url, {
@@ -68,10 +69,10 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       onProgress,
     });
   };
-  const fetchFile = (url: string) => fetchOne(url, report('fetch'));
+  const fetchFile = (url: string) => fetchOne(url, load.onProgress);
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('#rare/sources/fetch-files.ts'));
-    yield* fetchInOrder(urls, fetchOne, report('fetch'));
+    yield* fetchInOrder(urls, fetchOne, load.onProgress);
   };
   const start = async (): Promise<DecodeInput> => {
     let first = request.local ? null : await fetchFile(url);
@@ -79,7 +80,11 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
       const { openFiles } = await loadReader(() => import('#rare/sources/open-files.ts'));
-      opened = await openFiles(first ?? request.local!, { isStack: files !== undefined, signal });
+      opened = await openFiles(first ?? request.local!, {
+        isStack: files !== undefined,
+        load,
+        signal,
+      });
       ({ files } = opened);
       first = await fetchFile(opened.first);
     }
@@ -98,11 +103,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       files,
       onProgress: report('decode'),
       onScans,
-      onRadar: () => onCoarse?.(null),
+      onRadar: () => load.onCoarse?.(null),
       budget,
       request,
       signal,
       pageOrigin,
+      folder: opened?.folder,
     });
   };
   try {
@@ -110,7 +116,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     const decoded = await decode(request.data ? null : await start());
     await breathe?.();
     signal?.throwIfAborted();
-    return await finishVolume({ ...decoded, source: opened?.source }, await request.limits, onCoarse, settings.clean);
+    return await finishVolume(
+      { ...decoded, source: opened?.source },
+      await request.limits,
+      load.onCoarse,
+      settings.clean,
+    );
   } catch (cause) {
     throw await explain(cause, url);
   }

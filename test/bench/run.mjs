@@ -27,6 +27,7 @@ const programs = [
   'gpu',
   'default-look',
   'codecs',
+  'folder',
 ];
 
 /** What measures nothing runs only where it is named. */

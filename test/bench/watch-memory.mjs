@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 
 /** Time between two readings, ms. */
 const interval = 20;
@@ -27,7 +27,9 @@ export async function watchMemory(browser) {
 /** @param {readonly number[]} ids - of processes */
 function sumPrivateBytes(ids) {
   if (process.platform !== 'linux') return null;
-  return ids.reduce((sum, id) => {
+  // A process that waits for a page may end before it gets one.
+  const running = ids.filter((id) => existsSync(`/proc/${id}/status`));
+  return running.reduce((sum, id) => {
     const [, kilobytes] = /^RssAnon:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${id}/status`, 'utf8')) ?? [];
     return sum + 1024 * Number(kilobytes);
   }, 0);

@@ -1,7 +1,14 @@
+import type { CartesianGrid } from '../../volume/grid.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Budget } from './budget.ts';
 import type { ChannelUse } from './channels.ts';
-import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
+import type {
+  DecodedCartesianVolume,
+  DecodedVolume,
+  DecodeInput,
+  DecodeSettings,
+  ProgressListener,
+} from './decoded-volume.ts';
 import type { ScansListener } from './load-request.ts';
 
 // How a format describes itself. registry.ts lists all formats.
@@ -24,7 +31,24 @@ export interface FileAccess {
   fetchFiles(urls: readonly string[]): AsyncIterable<DecodeInput>;
 }
 
+/** Of each file of a folder so many bytes are kept from the first look at it: the start of most, up to their data. */
+export const keptBytes = 2 ** 14;
+
+/** Many files of a disk or of an archive, any part of which is read at once: they need not be in memory together. */
+export interface FolderAccess {
+  /** The first bytes of a file; the input says how many are `missing`. */
+  readStart(url: string, bytes: number): Promise<DecodeInput>;
+  /** A whole file. */
+  readWhole(url: string): Promise<DecodeInput>;
+  /** No other files will be read, so that the progress counts only these. */
+  expect(urls: readonly string[]): void;
+  /** Shows a small volume of a part of the data, while the rest is read. @param grid - of the whole volume */
+  showPart(part: DecodedCartesianVolume, grid: CartesianGrid): Promise<void>;
+}
+
 export interface ReadContext extends FileAccess {
+  /** Set for files of a disk or of an archive, each of which is a part of a volume: of the first one only the start is given. */
+  readonly folder?: FolderAccess;
   readonly onProgress: ProgressListener;
   /** Readers take their bytes from it before they allocate anything. */
   readonly budget: Budget;

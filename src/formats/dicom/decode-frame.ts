@@ -56,7 +56,7 @@ export function checkFrames(picture: Picture): void {
     );
   }
   if (!pixels.bytes) {
-    if (pixels.fragments.length < frames)
+    if (pixels.missing === 0 && pixels.fragments.length < frames)
       throw corruptFile(
         what,
         `ends early: got ${pixels.fragments.length} pieces of packed pixels; expected ${frames} or more, one for each frame`,
@@ -65,10 +65,10 @@ export function checkFrames(picture: Picture): void {
   }
   if (packing !== 'none') throw corruptFile(what, `says that it is packed with ${packing}, and its pixels are not`);
   const wanted = Math.ceil(frames * frameBytes(picture));
-  if (pixels.bytes.length >= wanted) return;
+  if (pixels.there >= wanted) return;
   throw corruptFile(
     what,
-    `ends early: got ${pixels.bytes.length.toLocaleString('en')} bytes of pixels; ${frames} frame${frames > 1 ? 's' : ''} of ${picture.columns} x ${picture.rows} pixels of ${picture.bitsAllocated} bits need ${wanted.toLocaleString('en')}. Copy the file again`,
+    `ends early: got ${pixels.there.toLocaleString('en')} bytes of pixels; ${frames} frame${frames > 1 ? 's' : ''} of ${picture.columns} x ${picture.rows} pixels of ${picture.bitsAllocated} bits need ${wanted.toLocaleString('en')}. Copy the file again`,
   );
 }
 

@@ -1,10 +1,11 @@
 // What a page gets of the series in files of DICOM, to choose one.
 import type { SeriesInfo } from '../../volume/volume.ts';
-import type { Budget } from '../base/budget.ts';
+import type { ReadContext } from '../base/format.ts';
 import { checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { cutTile } from './gather-samples.ts';
 import type { ChosenSeries } from './group-frames.ts';
+import { loadPixels } from './load-pixels.ts';
 import { modalityOf } from './modality.ts';
 
 /** Pixels of the larger side of a picture. */
@@ -14,29 +15,38 @@ const pictureSize = 64;
 const maxPictures = 32;
 
 /** Lists the series by numbers, kinds and sizes, with a small picture of each. */
-export function describeSeries({ series, frames: chosen }: ChosenSeries, budget: Budget): readonly SeriesInfo[] {
-  return series.map((frames, i) => {
+export async function describeSeries(
+  { series, frames: chosen }: ChosenSeries,
+  context: Pick<ReadContext, 'folder' | 'budget'>,
+): Promise<readonly SeriesInfo[]> {
+  const infos: SeriesInfo[] = [];
+  for (const [i, frames] of series.entries()) {
     const middle = frames[frames.length >> 1];
     const { columns, rows, picture, seriesNumber } = middle;
-    return {
+    infos.push({
       number: i + 1,
       shown: frames === chosen,
       modality: modalityOf(picture.set),
       ...(seriesNumber === undefined ? {} : { seriesNumber }),
       dimensions: [columns, rows, frames.length],
-      ...(i < maxPictures ? { picture: drawSmall(middle, budget) } : {}),
-    };
-  });
+      ...(i < maxPictures ? { picture: await drawSmall(middle, context) } : {}),
+    });
+  }
+  return infos;
 }
 
 /** The nearest pixels of a slice, within its window or the range of its values; undefined where it can not be decoded. */
-function drawSmall(frame: Frame, budget: Budget): SeriesInfo['picture'] {
+async function drawSmall(
+  frame: Frame,
+  context: Pick<ReadContext, 'folder' | 'budget'>,
+): Promise<SeriesInfo['picture']> {
   const { columns, rows, slope, intercept, window, spacing } = frame;
   if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
-    checkFrames(frame.picture);
-    numbers = cutTile(decodeFrame(frame.picture, frame.index, budget), frame);
+    const picture = await loadPixels(frame.picture, context);
+    checkFrames(picture);
+    numbers = cutTile(decodeFrame(picture, frame.index, context.budget), frame);
   } catch {
     return undefined; // The series itself says what is wrong with it, where it is chosen.
   }

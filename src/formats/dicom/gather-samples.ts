@@ -1,13 +1,17 @@
 // The numbers of all slices, in one array.
 import type { Budget } from '../base/budget.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
-import type { ProgressListener } from '../base/decoded-volume.ts';
+import type { ReadContext } from '../base/format.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { numberTypes } from '../base/number-types.ts';
+import { readAhead } from '../base/read-ahead.ts';
 import type { UnpackJ2k } from '../codecs/openjpeg.ts';
+import { checkDamage, describeDamage, findDamage } from './damage.ts';
+import type { Damage } from './damage.ts';
 import { arrayOf, checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
 import type { FrameNumbers } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
+import { loadPixels } from './load-pixels.ts';
 import type { StoredType } from './picture.ts';
 import type { Stack } from './stack-frames.ts';
 
@@ -17,83 +21,163 @@ export interface Gathered {
   /** Value = slope * number + intercept. */
   readonly slope: number;
   readonly intercept: number;
+  /** What of the slices is not there, in words. */
+  readonly left: readonly string[];
+}
+
+export interface GatherOptions {
+  /** Slices that come first, by their numbers. */
+  readonly first: readonly number[];
+  /** Called when these are there, and the others are not. */
+  readonly onFirst: (gathered: Omit<Gathered, 'left'>) => Promise<void>;
 }
 
 const what = 'the DICOM series';
 
 /**
  * Decodes slice after slice. Where all have the same scale, the numbers stay as they are stored; else they are brought to
- * one. Missing slices and padding are NaN.
+ * one. Missing slices, those of damaged files, and padding are NaN.
  * @throws {VolumeViewError} `format/too-large`, `format/corrupt`, `format/unsupported`, before memory is taken
  */
 export async function gatherSamples(
   { slices, resample }: Stack,
-  budget: Budget,
-  onProgress: ProgressListener,
+  context: Pick<ReadContext, 'budget' | 'folder' | 'onProgress'>,
+  { first, onFirst }: GatherOptions,
 ): Promise<Gathered> {
+  const { budget, folder, onProgress } = context;
   const frames = slices.filter((slice) => slice !== null);
-  new Set(frames.map(({ picture }) => picture)).forEach(checkFrames);
+  const damage = new DamagedFrames(frames);
   const library = frames.some(({ picture }) => isJ2k(picture)) ? await loadLibrary() : null;
-  const [{ columns, rows, ...first }] = frames;
-  const isOneScale = frames.every(
-    ({ slope, intercept, picture }) =>
-      slope === first.slope && intercept === first.intercept && picture.type === first.picture.type,
-  );
-  const voxels = columns * rows * slices.length;
-  let type: StoredType = isOneScale ? first.picture.type : chooseType(frames);
-  if (frames.length < slices.length || resample) type = floatOf(type);
-  let all = allocate(type, voxels, [columns, rows, slices.length], budget);
+  const scale = findScale(frames);
+  const [{ columns, rows }] = frames;
+  const pixels = columns * rows;
+  let type: StoredType = scale ? frames[0].picture.type : chooseType(frames);
+  if (frames.length < slices.length || damage.found.size > 0 || resample) type = floatOf(type);
+  let all = allocate(type, [columns, rows, slices.length], budget);
+  /** Only floats have a number for no data. */
+  const needFloats = (): void => {
+    if (floatOf(type) === type) return;
+    const before = all;
+    type = floatOf(type);
+    all = allocate(type, [columns, rows, slices.length], budget);
+    all.set(before);
+    budget.giveBack(before.byteLength);
+  };
+  const leaveEmpty = (k: number): void => {
+    needFloats();
+    all.fill(NaN, k * pixels, (k + 1) * pixels);
+  };
   let last: { readonly frame: Frame; readonly numbers: FrameNumbers } | null = null;
-  slices.forEach((frame, k) => {
-    onProgress(k, slices.length);
-    const start = k * columns * rows;
-    if (!frame) return void all.fill(NaN, start, start + columns * rows);
+  const place = (k: number, frame: Frame): void => {
+    const start = k * pixels;
     // Tiles of a mosaic share their picture.
     if (last?.frame.picture !== frame.picture || last.frame.index !== frame.index)
       last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, library) };
     const numbers = cutTile(last.numbers, frame);
-    const {
-      slope,
-      intercept,
-      picture: { padding },
-    } = frame;
-    if (isOneScale) all.set(numbers, start);
+    const { slope, intercept } = frame;
+    if (scale) all.set(numbers, start);
     else for (let i = 0; i < numbers.length; i++) all[start + i] = slope * numbers[i] + intercept;
-    if (!padding) return;
-    const [low, high] = padding;
+    if (!frame.picture.padding) return;
+    const [low, high] = frame.picture.padding;
     for (let i = 0; i < numbers.length; i++) {
       if (!(numbers[i] >= low && numbers[i] <= high)) continue;
-      if (floatOf(type) !== type) {
-        // Only floats have a number for no data.
-        const before = all;
-        type = floatOf(type);
-        all = allocate(type, voxels, [columns, rows, slices.length], budget);
-        all.set(before);
-        budget.giveBack(before.byteLength);
-      }
+      needFloats();
       all[start + i] = NaN;
     }
-  });
+  };
+  const kept = scale ?? { slope: 1, intercept: 0 };
+  const early = new Set(first);
+  const order = [...early, ...Array.from(slices, (_, k) => k).filter((k) => !early.has(k))];
+  let done = 0;
+  const load = async (k: number): Promise<Frame | null> => {
+    const frame = slices[k];
+    if (!frame || damage.found.has(frame)) return null;
+    const { url } = frame.picture;
+    return url === null ? frame : { ...frame, picture: await loadPixels(frame.picture, context) };
+  };
+  for await (const loaded of readAhead(order, load)) {
+    const k = order[done];
+    if (!folder) onProgress(done, slices.length);
+    done++;
+    try {
+      if (loaded.status === 'rejected') throw loaded.reason;
+      if (loaded.value) place(k, loaded.value);
+      else leaveEmpty(k);
+    } catch (error) {
+      damage.add(slices[k]!, error);
+      leaveEmpty(k);
+    }
+    if (done === early.size && done < order.length) await onFirst({ type, numbers: all, ...kept });
+  }
   if (resample) {
-    const made = allocate(type, columns * rows * resample.length, [columns, rows, resample.length], budget);
-    resampleSlices(all, made, columns * rows, resample);
+    const made = allocate(type, [columns, rows, resample.length], budget);
+    resampleSlices(all, made, pixels, resample);
     budget.giveBack(all.byteLength);
     all = made;
   }
-  return {
-    type,
-    numbers: all,
-    ...(isOneScale ? { slope: first.slope, intercept: first.intercept } : { slope: 1, intercept: 0 }),
-  };
+  return { type, numbers: all, ...kept, left: damage.describe() };
+}
+
+/** Frames whose files are damaged. */
+class DamagedFrames {
+  readonly found = new Map<Frame, Damage>();
+
+  /** @throws {VolumeViewError} where most are damaged, or one is in a form that is not read */
+  constructor(readonly all: readonly Frame[]) {
+    const problems = new Map<unknown, unknown>();
+    for (const frame of all) {
+      const { picture } = frame;
+      if (!problems.has(picture))
+        problems.set(
+          picture,
+          findProblem(() => checkFrames(picture)),
+        );
+      const problem = problems.get(picture);
+      if (problem) this.add(frame, problem);
+    }
+  }
+
+  /** @throws the error itself where it is not that of one file, and where most are damaged */
+  add(frame: Frame, error: unknown): void {
+    const damage = this.all.length > 1 ? findDamage(error, frame.picture.what) : null;
+    if (!damage) throw error;
+    this.found.set(frame, damage);
+    checkDamage([...this.found.values()], this.all.length);
+  }
+
+  describe(): string[] {
+    // A file of several frames is named once.
+    const files = new Map([...this.found.values()].map((damage) => [damage.what, damage]));
+    return describeDamage([...files.values()], 'its place shown as no data');
+  }
+}
+
+function findProblem(check: () => void): unknown {
+  try {
+    check();
+    return null;
+  } catch (error) {
+    return error;
+  }
 }
 
 async function loadLibrary(): Promise<UnpackJ2k> {
   return (await loadReader(() => import('../codecs/openjpeg.ts'))).loadOpenJpeg();
 }
 
-function allocate(type: StoredType, voxels: number, lengths: readonly number[], budget: Budget): FrameNumbers {
+function allocate(type: StoredType, lengths: readonly [number, number, number], budget: Budget): FrameNumbers {
   budget.take(countSampleBytes(what, lengths, numberTypes[type]), what);
-  return new arrayOf[type](voxels);
+  return new arrayOf[type](lengths[0] * lengths[1] * lengths[2]);
+}
+
+/** The scale that all frames have, with the same type of numbers; null where they differ. */
+function findScale(frames: readonly Frame[]): { readonly slope: number; readonly intercept: number } | null {
+  const [first] = frames;
+  const { slope, intercept } = first;
+  const areAlike = frames.every(
+    (frame) => frame.slope === slope && frame.intercept === intercept && frame.picture.type === first.picture.type,
+  );
+  return areAlike ? { slope, intercept } : null;
 }
 
 /** A type that holds the values of all frames: whole numbers if they are. */

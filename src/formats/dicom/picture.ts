@@ -18,6 +18,8 @@ export interface Picture {
   readonly set: DataSet;
   readonly syntax: TransferSyntax;
   readonly pixels: PixelElement;
+  /** Of the file, of which only the start was read; null where the pixels are here. */
+  readonly url: string | null;
   readonly rows: number;
   readonly columns: number;
   readonly frames: number;
@@ -50,7 +52,12 @@ export const isSegmentation = (set: DataSet): boolean => segmentations.includes(
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
 export function readPicture({ set, pixels, syntax }: DicomFile, what: string): Picture | null {
-  if (!pixels) return null;
+  if (!pixels) {
+    // Reports and lists of files do not say how large a picture is.
+    if (set.has(tags.rows) && set.has(tags.columns))
+      throw corruptFile(what, 'says how large its picture is, and ends before it. Copy the file again');
+    return null;
+  }
   if (isSegmentation(set))
     throw unsupportedFile(
       what,
@@ -72,6 +79,7 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
     set,
     syntax,
     pixels,
+    url: null,
     ...readSize(set, what),
     ...numbers,
     isInverted: photometric === 'MONOCHROME1',
@@ -92,6 +100,7 @@ export function readLabelPicture({ set, pixels, syntax }: DicomFile, what: strin
     set,
     syntax,
     pixels,
+    url: null,
     ...readSize(set, what),
     ...numbers,
     isInverted: false,

@@ -1,13 +1,16 @@
 import { cartesianGrid } from '../../volume/grid.ts';
-import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import type { CartesianGrid } from '../../volume/grid.ts';
+import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import type { FormatReader, ReadContext } from '../base/format.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { chooseFirst, coarsenGrid, cutCoarsePart } from './coarse-part.ts';
 import { lostColors } from './colors.ts';
 import { gatherSamples } from './gather-samples.ts';
+import type { Gathered } from './gather-samples.ts';
 import { modalityOf } from './modality.ts';
 import { chooseFrames } from './group-frames.ts';
 import type { ChosenFrames } from './group-frames.ts';
@@ -30,9 +33,10 @@ export const readDicom: FormatReader = async (input, settings, context) => {
       return placeVolume(await readSegmentation(segmentation, context), settings);
     }
     const chosen = chooseFrames(frames, context.budget, settings.series);
-    const series = chosen.series.length > 1 ? describeSeries(chosen, context.budget) : undefined;
-    const volume = await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, context);
-    return placeVolume({ ...volume, series }, settings);
+    expectFiles(chosen, context);
+    const series = chosen.series.length > 1 ? await describeSeries(chosen, context) : undefined;
+    const volume = await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, settings, context);
+    return { ...volume, series };
   } catch (cause) {
     // The usual words for such an error have the name of the file.
     if (!(cause instanceof RangeError || cause instanceof TypeError)) throw cause;
@@ -40,19 +44,50 @@ export const readDicom: FormatReader = async (input, settings, context) => {
   }
 };
 
+function expectFiles({ frames }: ChosenFrames, { folder }: ReadContext): void {
+  folder?.expect(frames.map(({ picture }) => picture.url).filter((url) => url !== null));
+}
+
 async function joinFrames(
   { frames, left }: ChosenFrames,
-  { budget, onProgress }: ReadContext,
+  settings: DecodeSettings,
+  context: ReadContext,
 ): Promise<DecodedCartesianVolume> {
   const stack = stackFrames(frames);
-  const { type, numbers, slope, intercept } = await gatherSamples(stack, budget, onProgress);
+  const { folder } = context;
+  const [{ columns, rows }] = frames;
+  const slices = stack.resample?.length ?? stack.slices.length;
+  const place = (volume: DecodedCartesianVolume): DecodedCartesianVolume => placeVolume(volume, settings);
+  const whole = cartesianGrid([columns, rows, slices], stack.indexToWorld);
+  const gathered = await gatherSamples(stack, context, {
+    // Slices that are computed between others need all of them.
+    first: folder && !stack.resample ? chooseFirst(slices) : [],
+    onFirst: async (some) => {
+      const numbers = cutCoarsePart(some, whole.dimensions);
+      const part = place(
+        await describeVolume({ frames, left: [] }, stack.anatomical, { ...some, numbers, grid: whole }, context),
+      );
+      await folder!.showPart({ ...part, grid: coarsenGrid(part.grid) }, part.grid);
+    },
+  });
+  const all = [...left, ...stack.left, ...gathered.left];
+  return place(await describeVolume({ frames, left: all }, stack.anatomical, { ...gathered, grid: whole }, context));
+}
+
+/** The numbers as samples, and what their files say of them. */
+async function describeVolume(
+  { frames, left }: ChosenFrames,
+  anatomical: boolean,
+  { type, numbers, slope, intercept, grid }: Omit<Gathered, 'left'> & { readonly grid: CartesianGrid },
+  { budget }: ReadContext,
+): Promise<DecodedCartesianVolume> {
   const stored = storeSamples(new Uint8Array(numbers.buffer as ArrayBuffer), numberTypes[type], hostIsLittleEndian, {
     slope,
     intercept,
     budget,
     chooseWhole: await wholeNumbersOf(numberTypes[type]),
   });
-  const [{ columns, rows, unit, picture }] = frames;
+  const [{ unit, picture }] = frames;
   const isAsStored = slope === 1 && intercept === 0;
   const isBurnedIn = frames.some((frame) => frame.picture.set.text(tags.burnedIn).toUpperCase() === 'YES');
   const window = frames[frames.length >> 1].window ?? frames.find((frame) => frame.window)?.window;
@@ -64,13 +99,11 @@ async function joinFrames(
       : []),
     ...(picture.colors ? [lostColors] : []),
     ...left,
-    ...stack.left,
   ];
-  const slices = stack.resample?.length ?? stack.slices.length;
   const modality = modalityOf(picture.set);
   return {
-    grid: cartesianGrid([columns, rows, slices], stack.indexToWorld),
-    anatomical: stack.anatomical,
+    grid,
+    anatomical,
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,

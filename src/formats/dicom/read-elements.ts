@@ -13,6 +13,12 @@ export interface PixelElement {
   readonly bytes: Uint8Array<ArrayBuffer> | null;
   /** Bytes that the file says it has of them, where they are not in fragments. */
   readonly announced: number;
+  /** Bytes that there are of them in the file, where they are not in fragments: also of those that were not read. */
+  readonly there: number;
+  /** Where they begin in the bytes that were read. */
+  readonly start: number;
+  /** Bytes of the file that were not read: with any, neither are the pixels. */
+  readonly missing: number;
   /** The pieces of packed pixels, one or more for each frame. */
   readonly fragments: readonly Uint8Array<ArrayBuffer>[];
   /** Where frames begin, in bytes from the start of the first fragment, with the eight bytes before each fragment; may be empty. */
@@ -35,6 +41,8 @@ const maxDepth = 32;
 
 interface Reading {
   readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Bytes of the file after these. */
+  readonly missing: number;
   readonly view: DataView;
   readonly littleEndian: boolean;
   readonly budget: Budget;
@@ -54,7 +62,7 @@ interface Header {
 export function readElements(
   bytes: Uint8Array<ArrayBuffer>,
   from: number,
-  how: { readonly isExplicit: boolean; readonly littleEndian: boolean; readonly budget: Budget; readonly what: string },
+  how: Omit<Reading, 'bytes' | 'view'> & { readonly isExplicit: boolean },
 ): Elements {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const reading: Reading = { ...how, bytes, view };
@@ -74,7 +82,7 @@ export function readFileMeta(
   what: string,
 ): { set: DataSet; end: number } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const reading: Reading = { bytes, view, littleEndian: true, budget, what };
+  const reading: Reading = { bytes, view, missing: 0, littleEndian: true, budget, what };
   const set = new DataSet(bytes, true);
   let at = from;
   while (at + 8 <= bytes.length && view.getUint16(at, true) === 2) {
@@ -193,10 +201,13 @@ function readId(view: DataView, at: number, littleEndian: boolean): number {
 }
 
 function readPixels(reading: Reading, { id, vr, length, start }: Header): PixelElement {
-  const { bytes, littleEndian } = reading;
-  const rest = { numbers: pixelTags.get(id) ?? 'integers', vr, littleEndian };
-  if (length === untilMark) return { ...rest, bytes: null, announced: 0, ...readFragments(reading, start) };
-  return { ...rest, bytes: bytes.subarray(start, start + length), announced: length, fragments: [], offsets: [] };
+  const { bytes, littleEndian, missing } = reading;
+  const rest = { numbers: pixelTags.get(id) ?? 'integers', vr, littleEndian, start, missing };
+  const none = { fragments: [], offsets: [] };
+  if (length === untilMark)
+    return { ...rest, bytes: null, announced: 0, there: 0, ...(missing > 0 ? none : readFragments(reading, start)) };
+  const there = Math.max(0, Math.min(length, bytes.length + missing - start));
+  return { ...rest, bytes: bytes.subarray(start, start + length), announced: length, there, ...none };
 }
 
 /** The first item says where the frames begin, or is empty. Source: PS3.5, A.4 */

@@ -17,9 +17,10 @@ export interface DicomFile extends Elements {
 /**
  * Finds the elements of a DICOM file: with the preamble of PS3.10 or, as old programs write them, without.
  * @param what - for messages: 'file 12 of 300'
+ * @param missing - bytes of the file after these
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
  */
-export function readDicomFile(bytes: Uint8Array<ArrayBuffer>, budget: Budget, what: string): DicomFile {
+export function readDicomFile(bytes: Uint8Array<ArrayBuffer>, budget: Budget, what: string, missing = 0): DicomFile {
   const hasPreamble = startsWith(bytes.subarray(preambleBytes, preambleBytes + 4), 'DICM');
   const { set: meta, end } = readFileMeta(bytes, hasPreamble ? preambleBytes + 4 : 0, budget, what);
   const uid = meta.text(tags.transferSyntax);
@@ -34,7 +35,7 @@ export function readDicomFile(bytes: Uint8Array<ArrayBuffer>, budget: Budget, wh
   const start = syntax.isDeflated ? 0 : end;
   // Whether representations are explicit is seen at the first element: some files say the other one.
   const isExplicit = /^[A-Z]{2}$/.test(String.fromCharCode(...body.subarray(start + 4, start + 6)));
-  return { ...readElements(body, start, { isExplicit, littleEndian, budget, what }), syntax };
+  return { ...readElements(body, start, { isExplicit, littleEndian, budget, what, missing }), syntax };
 }
 
 /** The data set of a deflated file: a stream without a header (PS3.5, A.5). */

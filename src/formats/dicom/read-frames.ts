@@ -1,17 +1,20 @@
 // The frames of all files of a DICOM series.
 import { VolumeViewError } from '../../core/errors.ts';
-import type { Budget } from '../base/budget.ts';
 import type { DecodeInput } from '../base/decoded-volume.ts';
 import { unsupportedFile } from '../base/file-problem.ts';
 import type { ReadContext } from '../base/format.ts';
+import { readAhead } from '../base/read-ahead.ts';
+import { checkDamage, describeDamage, findDamage } from './damage.ts';
+import type { Damage } from './damage.ts';
 import { checkFrames } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { count } from './group-frames.ts';
 import type { ChosenFrames } from './group-frames.ts';
+import { isDicom } from './is-dicom.ts';
 import { listFrames } from './list-frames.ts';
+import { readStart } from './load-pixels.ts';
 import { isSegmentation, readPicture } from './picture.ts';
 import type { Picture } from './picture.ts';
-import { isDicom } from './is-dicom.ts';
 import { readDicomFile } from './read-file.ts';
 import type { DicomFile } from './read-file.ts';
 
@@ -24,42 +27,48 @@ export interface ReadFrames extends ChosenFrames {
   readonly segmentation?: DicomFile;
 }
 
-/** The frames of all files, and what files are left out. */
+/** Memory for what is known of one frame: a small file may have thousands. */
+const describingBytes = 1500;
+
+/**
+ * The frames of all files, and what files are left out. Of files that lie at hand only what is before the pixels is read.
+ * @throws {VolumeViewError} where no file has a picture, or most are damaged
+ */
 export async function readFrames(input: DecodeInput, context: ReadContext, files: number): Promise<ReadFrames> {
-  const { budget } = context;
+  const only = files === 1 ? readWhole(input, context, nameOne(1, 1)) : null;
+  if (only && isSegmentation(only.set)) return { frames: [], left: [], segmentation: only };
   const frames: Frame[] = [];
   const refused: VolumeViewError[] = [];
-  let segmentation: DicomFile | undefined;
+  const damaged: Damage[] = [];
   let [place, withoutPixels] = [0, 0];
-  const read = ({ bytes }: DecodeInput): void => {
-    const what = files > 1 ? `file ${++place} of ${files}` : 'the DICOM file';
+  for await (const read of only ? [() => findPicture(only, nameOne(1, 1))] : readPictures(input, context, files)) {
+    const what = nameOne(++place, files);
     try {
-      if (!isDicom(bytes))
-        throw unsupportedFile(what, 'does not begin as DICOM does: it is damaged, cut short, or of another kind');
-      const file = readDicomFile(bytes, budget, what);
-      if (files === 1 && isSegmentation(file.set)) {
-        segmentation = file;
-        return;
-      }
-      const picture = readOne(file, budget, what);
-      if (picture) frames.push(...listFrames(picture));
-      else withoutPixels++;
+      const picture = read();
+      if (picture) {
+        takeMemory(picture, context);
+        frames.push(...listFrames(picture));
+      } else withoutPixels++;
     } catch (error) {
+      const damage = files > 1 ? findDamage(error, what) : null;
+      if (damage) damaged.push(damage);
       // Folders hold pictures of other kinds too.
-      if (!(error instanceof VolumeViewError && error.code === 'format/unsupported')) throw error;
-      refused.push(error);
+      else if (error instanceof VolumeViewError && error.code === 'format/unsupported') refused.push(error);
+      else throw error;
     }
-  };
-  read(input);
-  if (segmentation) return { frames: [], left: [], segmentation };
-  for await (const file of context.fetchFiles(context.further)) read(file);
+  }
+  checkDamage(damaged, files);
   if (frames.length > 0) {
     return {
       frames,
-      left: refused.length > 0 ? [`${count(refused.length, 'file')} of ${files}: ${refused[0].message}`] : [],
+      left: [
+        ...(refused.length > 0 ? [`${count(refused.length, 'file')} of ${files}: ${refused[0].message}`] : []),
+        ...describeDamage(damaged, 'left out'),
+      ],
     };
   }
   throw (
+    damaged[0]?.error ??
     refused[0] ??
     unsupportedFile(
       nameAll(files),
@@ -68,14 +77,51 @@ export async function readFrames(input: DecodeInput, context: ReadContext, files
   );
 }
 
-/** Memory for what is known of one frame: a small file may have thousands. */
-const describingBytes = 1500;
+const nameOne = (place: number, files: number): string => (files > 1 ? `file ${place} of ${files}` : 'the DICOM file');
 
-/** Memory that the file takes stays taken where it has pixels. */
-function readOne(file: DicomFile, budget: Budget, what: string): Picture | null {
+/** Yields for each file a function that gives its picture, null if it has none, or throws. */
+async function* readPictures(
+  input: DecodeInput,
+  context: ReadContext,
+  files: number,
+): AsyncGenerator<() => Picture | null> {
+  const { further, folder } = context;
+  if (!folder) {
+    let place = 1;
+    yield () => findPicture(readWhole(input, context, nameOne(1, files)), nameOne(1, files));
+    for await (const file of context.fetchFiles(further)) {
+      place++;
+      yield () => findPicture(readWhole(file, context, nameOne(place, files)), nameOne(place, files));
+    }
+    return;
+  }
+  const read = async (url: string, i: number): Promise<Picture | null> => {
+    const what = nameOne(i + 1, files);
+    return (
+      (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what)
+    );
+  };
+  for await (const one of readAhead([input.url, ...further], read)) {
+    yield () => {
+      if (one.status === 'rejected') throw one.reason;
+      return one.value;
+    };
+  }
+}
+
+function readWhole({ bytes }: DecodeInput, { budget }: ReadContext, what: string): DicomFile {
+  if (!isDicom(bytes))
+    throw unsupportedFile(what, 'does not begin as DICOM does: it is damaged, cut short, or of another kind');
+  return readDicomFile(bytes, budget, what);
+}
+
+function findPicture(file: DicomFile, what: string): Picture | null {
   const picture = readPicture(file, what);
-  if (!picture) return null;
-  if (picture.frames > 1) checkFrames(picture);
-  budget.take(file.set.bytes.length + describingBytes * picture.frames, what);
+  if (picture && picture.frames > 1) checkFrames(picture);
   return picture;
+}
+
+/** Memory of what was read of a file stays taken where it has pixels. That of unpacked ones is taken already. */
+function takeMemory({ set, syntax, frames, what }: Picture, { budget }: ReadContext): void {
+  budget.take((syntax.isDeflated ? 0 : set.bytes.length) + describingBytes * frames, what);
 }

@@ -122,6 +122,7 @@ describe('files that a person chose', () => {
       new ReadableStream({ start: (controller) => controller.error(new DOMException('gone', 'NotReadableError')) });
     const { first, read } = await local([file]);
     Object.defineProperty(file, 'stream', { value: gone });
+    Object.defineProperty(file, 'arrayBuffer', { value: () => new Response(gone()).arrayBuffer() });
     const native = globalThis.Response;
     // A response reads a file of a real disk itself.
     globalThis.Response = class extends native {

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../../../src/core/errors.ts';
-import { ctSlice, dicomBytes } from '../../../helpers/dicom-bytes.ts';
+import { ctSlice, dicomBytes, packRle } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm, DicomValue, RawElement } from '../../../helpers/dicom-bytes.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
 import { expectError, valuesOf } from '../../../helpers/decode.ts';
@@ -91,14 +91,6 @@ describe('damaged DICOM files are refused in words', () => {
     });
   }
 
-  it('a cut file of a series, by its number', async () => {
-    const files = [0, 5, 10].map((z) => dicomBytes(ctSlice(z)));
-    files[2] = files[2].slice(0, -6);
-    const error = await expectError(decodeSeries(files));
-    expect(error.code).to.equal('format/corrupt');
-    expect(error.message).to.contain('file 3 of 3 ends early: got 18 bytes of pixels');
-  });
-
   it('cut anywhere', async () => {
     for (const form of [{}, { isImplicit: true }, { isBigEndian: true }, { isDeflated: true }, { hasMarks: true }]) {
       const whole = dicomBytes({ ...ctSlice(0), MREchoSequence: [{ EffectiveEchoTime: [3] }] }, form);
@@ -111,5 +103,75 @@ describe('damaged DICOM files are refused in words', () => {
         expect((error as VolumeViewError).code).to.match(/^format\/(corrupt|unsupported)$/);
       }
     }
+  });
+});
+
+describe('a damaged file among others', () => {
+  const places = [0, 5, 10, 15, 20];
+  const whole = (): Uint8Array<ArrayBuffer>[] => places.map((z) => dicomBytes(ctSlice(z, {}, 100 + z)));
+  const valueAt = (values: readonly number[], k: number): number[] => values.slice(12 * k, 12 * k + 12);
+  const noData = Array.from({ length: 12 }, () => NaN);
+  const slice = (k: number): number[] => Array.from({ length: 12 }, (_, i) => 100 + places[k] + i - 1024);
+  /** Without its pixels, and the elements before them. */
+  const cutHeader = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> => bytes.slice(0, bytes.length - 60);
+
+  it('is no data where its slice is, and its number is said: the last one is cut', async () => {
+    const files = whole();
+    files[4] = files[4].slice(0, -6);
+    const volume = await decodeSeries(files);
+    expect(volume.grid.dimensions).to.deep.equal([4, 3, 5]);
+    const values = valuesOf(volume);
+    for (const k of [0, 1, 2, 3]) expect(valueAt(values, k)).to.deep.equal(slice(k));
+    expect(valueAt(values, 4)).to.deep.equal(noData);
+    expect(volume.left).to.deep.equal([
+      'file 5 of 5: damaged, and its place shown as no data (ends early: got 18 bytes of pixels; 1 frame of 4 x 3 pixels of 16 bits need 24. Copy the file again)',
+    ]);
+  });
+
+  it('is left out where its place is not known', async () => {
+    const files = whole();
+    files[2] = cutHeader(files[2]);
+    const volume = await decodeSeries(files);
+    const values = valuesOf(volume);
+    expect(valueAt(values, 1)).to.deep.equal(slice(1));
+    expect(valueAt(values, 2)).to.deep.equal(noData);
+    expect(valueAt(values, 3)).to.deep.equal(slice(3));
+    expect(volume.left![0]).to.match(
+      /^file 3 of 5: damaged, and left out \(says how large its picture is, and ends before it/,
+    );
+    expect(volume.left![1]).to.contain('1 of 5 slices are missing');
+  });
+
+  it('of packed pixels is no data', async () => {
+    const rle = '1.2.840.10008.1.2.5';
+    const files = places.map((z, k) => {
+      const numbers = Uint16Array.from({ length: 12 }, (_, i) => 100 + z + i);
+      const packed = packRle(numbers);
+      return dicomBytes(ctSlice(z), { syntax: rle, fragments: [k === 1 ? packed.subarray(0, 70) : packed] });
+    });
+    const volume = await decodeSeries(files);
+    const values = valuesOf(volume);
+    expect(valueAt(values, 1)).to.deep.equal(noData);
+    expect(valueAt(values, 4)).to.deep.equal(slice(4));
+    expect(volume.left![0]).to.match(/^file 2 of 5: damaged, and its place shown as no data/);
+  });
+
+  it('with several frames, which ends early, does not keep other series from being shown', async () => {
+    const frames = dicomBytes({ ...ctSlice(0, { SeriesInstanceUID: '9.9' }), NumberOfFrames: '3' });
+    const volume = await decodeSeries([...whole(), frames]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 3, 5]);
+    expect(volume.left![0]).to.match(/^file 6 of 6: damaged, and left out \(ends early: got 24 bytes/);
+  });
+
+  it('is an error of all where most are', async () => {
+    const files = whole().map((bytes, k) => (k < 3 ? bytes.slice(0, -6) : bytes));
+    const error = await expectError(decodeSeries(files));
+    expect(error.code).to.equal('format/corrupt');
+    expect(error.message).to.contain('file 1 of 5 ends early: got 18 bytes of pixels');
+  });
+
+  it('of several is one of a number', async () => {
+    const files = whole().map((bytes, k) => (k === 1 || k === 2 ? bytes.slice(0, -6) : bytes));
+    expect((await decodeSeries(files)).left![0]).to.match(/^file 2 of 5, and 1 more file: damaged/);
   });
 });

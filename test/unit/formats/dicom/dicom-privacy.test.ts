@@ -96,9 +96,16 @@ describe('what DICOM files say of a patient stays in the worker', () => {
     });
   }
 
+  it('of a series with a damaged file, which has its number', async () => {
+    const [first, second, third] = slices({});
+    const { text, types } = await listReports(filesOf([first, second.slice(0, -9), third]));
+    expect(types).to.include('done');
+    expect(text).to.contain('file 2 of 3: damaged').and.not.to.match(secrets);
+  });
+
   const series = slices({});
   for (const [what, files] of [
-    ['a cut file', [...series.slice(0, 2), series[2].slice(0, -9)]],
+    ['cut files', [series[0], ...series.slice(1).map((bytes) => bytes.slice(0, -9))]],
     ['colours', slices({ PhotometricInterpretation: name, SamplesPerPixel: [3] })],
     ['an unknown transfer syntax', slices({}, { syntax: uid })],
     ['a length beyond the end', slices({}, { raw: [{ tag: 0x00100010, vr: 'UT', value: name, length: 0xffffff0 }] })],
@@ -121,7 +128,7 @@ describe('what DICOM files say of a patient stays in the worker', () => {
     let reads = 0;
     const { slice } = files[1];
     files[1].slice = (...range) => (reads++ > 0 ? gone() : slice.apply(files[1], range));
-    files[1].stream = gone;
+    files[1].stream = files[1].arrayBuffer = gone;
     const native = globalThis.Response;
     globalThis.Response = class extends native {
       constructor(body?: BodyInit | null, options?: ResponseInit) {
