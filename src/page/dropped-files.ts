@@ -31,7 +31,10 @@ async function walk(start: readonly FileSystemEntry[]): Promise<readonly File[]>
   const visit = async (entry: FileSystemEntry, depth: number): Promise<void> => {
     if (litter.test(entry.name) || depth > maxDepth || files.length > maxFiles) return;
     if (entry.isFile) {
-      files.push(await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)));
+      const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+      // A header finds its data by the path, and files of one name in several folders are told apart.
+      Object.defineProperty(file, 'webkitRelativePath', { value: entry.fullPath.replace(/^\//, '') });
+      files.push(file);
       return;
     }
     const reader = (entry as FileSystemDirectoryEntry).createReader();
