@@ -33,8 +33,9 @@ async function walk(start: readonly FileSystemEntry[]): Promise<readonly File[]>
     if (entry.isFile) {
       const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
       // A header finds its data by the path, and files of one name in several folders are told apart.
-      Object.defineProperty(file, 'webkitRelativePath', { value: entry.fullPath.replace(/^\//, '') });
-      files.push(file);
+      // As its name, the path reaches the worker; nothing is read for it.
+      const { type, lastModified } = file;
+      files.push(new File([file], entry.fullPath.replace(/^\//, ''), { type, lastModified }));
       return;
     }
     const reader = (entry as FileSystemDirectoryEntry).createReader();
