@@ -32,7 +32,7 @@ async function walk(start: readonly FileSystemEntry[]): Promise<readonly File[]>
     if (litter.test(entry.name) || depth > maxDepth || files.length > maxFiles) return;
     if (entry.isFile) {
       const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
-      // A header finds its data by the path, and files of one name in several folders are told apart.
+      // A header finds its data by the path, and files of one name in several folders stay two.
       // As its name, the path reaches the worker; nothing is read for it.
       const { type, lastModified } = file;
       files.push(new File([file], entry.fullPath.replace(/^\//, ''), { type, lastModified }));
