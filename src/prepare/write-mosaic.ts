@@ -61,11 +61,12 @@ export function writeMosaic(volume: Volume, maxEdge = maxMosaicEdge): VolumeMosa
   const packed = packSamples(block.samples, volume);
   const { columns, rows } = layOut(block.dimensions, maxEdge)!;
   const rounding = isReduced ? null : measureRounding(samples, packed, valueOf);
-  const error =
+  const error: VolumeMosaic['error'] =
     rounding ??
     (volume.isDiscrete
       ? { max: 0, rms: 0, changedLabels: countChanged(original, { ...block, samples: packed.pixels }, packed) }
       : measureReduction(original, { ...block, samples: packed.pixels, valueOf: packed.valueOf }));
+  const { changedLabels } = error;
   const { unit, window, transferFunction, isDiscrete, anatomical, named, title, credit } = volume;
   return {
     image: tile(packed.pixels, block.dimensions, { columns, rows }),
@@ -88,8 +89,7 @@ export function writeMosaic(volume: Volume, maxEdge = maxMosaicEdge): VolumeMosa
       ...(credit ? { credit } : {}),
       prepared: {
         ...(isReduced ? { from: grid.dimensions } : {}),
-        maxError: error.max,
-        rmsError: error.rms,
+        ...(changedLabels === undefined ? { maxError: error.max, rmsError: error.rms } : { changedLabels }),
       },
     },
   };

@@ -15,10 +15,17 @@ export interface Prepared {
   /** Largest and root mean square difference from the original's values, in data values. */
   readonly maxError?: number;
   readonly rmsError?: number;
+  /** Of labels: the share of the original's voxels that have another label, 0..1. */
+  readonly changedLabels?: number;
 }
 
 const size: Check<number> = (value) => {
   if (!isFinite(value) || value < 0) throw new Expected('a number from 0');
+  return value;
+};
+
+const share: Check<number> = (value) => {
+  if (!isFinite(value) || value < 0 || value > 1) throw new Expected('a number from 0 to 1');
   return value;
 };
 
@@ -28,7 +35,7 @@ const dimensions: Check<Vector3> = (value) => {
 };
 
 export const prepared: Check<Prepared> = (value) =>
-  readFields<Prepared>(value, { from: dimensions, maxError: size, rmsError: size });
+  readFields<Prepared>(value, { from: dimensions, maxError: size, rmsError: size, changedLabels: share });
 
 export const yes: Check<boolean> = (value) => {
   if (typeof value !== 'boolean') throw new Expected('true or false');
@@ -106,7 +113,7 @@ function markNoData(
 }
 
 function describe(
-  { from, maxError = 0, rmsError = 0 }: Prepared,
+  { from, maxError = 0, rmsError = 0, changedLabels }: Prepared,
   { window, grid, unit }: DecodedCartesianVolume,
 ): string | null {
   const isNoted = window && maxError > notedShare * (window[1] - window[0]);
@@ -114,6 +121,8 @@ function describe(
   const made = from
     ? ` it was made smaller before it came here, from ${from.join(' x ')} voxels to ${grid.dimensions.join(' x ')}, and`
     : '';
+  if (changedLabels !== undefined)
+    return `details:${made} ${Number((100 * changedLabels).toPrecision(2))} % of the voxels have another label than in the original`;
   const say = (value: number): string => `${Number(value.toPrecision(3))}${unit ? ` ${unit}` : ''}`;
   return `details:${made} values differ from those of the original by ${say(rmsError)} (root mean square), at most by ${say(maxError)}`;
 }
