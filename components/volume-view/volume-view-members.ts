@@ -42,6 +42,12 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
     this.requestUpdate('files');
   }
 
+  /**
+   * Fetches the files of `src` in place of the browser's own `fetch`, with the same arguments and result: for instance to send a token.
+   * It is used for the loads that begin after it is set; `reload()` begins one. null, or no function, for the browser's own.
+   */
+  declare fetch?: typeof globalThis.fetch | null;
+
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is loaded. */
   get volume(): VolumeInfo | null {
     return this._session.presenter.info;

@@ -16,6 +16,8 @@ export interface FetchOptions {
   readonly pageOrigin: string;
   /** `credentials` of `fetch`. If undefined, the default of `fetch`: cookies and logins only for the page's own server. */
   readonly credentials?: RequestCredentials;
+  /** Instead of the browser's own `fetch`. */
+  readonly fetch?: typeof globalThis.fetch | null;
   /** Maximum bytes of a file. */
   readonly maxBytes?: number;
   /** Whether the start of a file is enough, of which its server can send parts. It may get zeros in place of bytes that have not arrived. */
@@ -43,10 +45,10 @@ export class Download {
     readonly options: FetchOptions,
   ) {}
 
-  async open(headers?: HeadersInit): Promise<Response> {
-    const { signal, credentials } = this.options;
+  async open(headers?: Readonly<Record<string, string>>): Promise<Response> {
+    const { signal, credentials, fetch: ask } = this.options;
     this.response = null;
-    return (this.response = await fetch(this.url, { signal, credentials, headers }));
+    return (this.response = await (ask ?? fetch)(this.url, { signal, credentials, headers }));
   }
 
   /** @param isRest - whether the response continues the bytes that were received before */

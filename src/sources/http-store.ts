@@ -7,7 +7,7 @@ import { fetchBytes } from './fetch-bytes.ts';
 
 /** Files on servers, and `data:` and `blob:` URLs. */
 export class HttpStore implements ByteStore {
-  constructor(readonly options: Pick<FetchOptions, 'pageOrigin' | 'credentials'>) {}
+  constructor(readonly options: Pick<FetchOptions, 'pageOrigin' | 'credentials' | 'fetch'>) {}
 
   async list(): Promise<null> {
     return null;

@@ -5,6 +5,7 @@ import { keptBytes } from '../formats/base/format.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
 import type { ByteStore, ReadOptions } from './byte-store.ts';
+import type { FetchOptions } from './download.ts';
 import { findVolume, isLitter } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
 import { FolderReader } from './folder-reader.ts';
@@ -37,10 +38,15 @@ const archiveBase = 'https://archive.invalid/';
 
 /**
  * Finds the one volume in an archive or in chosen files.
- * @param given - the archive, or the files
+ * @param given - the archive, the files, or the address of a series on a DICOMweb server
  * @throws {VolumeViewError} `format/…`, `source/…`, `attribute/invalid`
  */
-export async function openFiles(given: DecodeInput | LocalFiles, options: OpenOptions): Promise<OpenedFiles> {
+export async function openFiles(
+  given: DecodeInput | LocalFiles | string,
+  options: OpenOptions,
+  reading: Omit<FetchOptions, 'onProgress'> = { pageOrigin: '' },
+): Promise<OpenedFiles> {
+  if (typeof given === 'string') return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading);
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
   const files = await openHandles(given.files);
   const store = await PrivateStore.of(new LocalStore(files, given.base), given.base, isLitter);

@@ -75,8 +75,8 @@ export interface SeriesInfo {
 
 /** Files, or an archive, that a volume was found in. */
 export interface SourceInfo {
-  /** `files` of the reader's disk, or an `archive`. */
-  readonly kind: 'files' | 'archive';
+  /** `files` of the reader's disk, an `archive`, or a series on a `DICOMweb` server. */
+  readonly kind: 'files' | 'archive' | 'DICOMweb';
   /** Number of files, those without a volume included. */
   readonly count: number;
 }

@@ -2,6 +2,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { Budget } from '../formats/base/budget.ts';
 import { decodeRequest } from './decode-request.ts';
+import { checkedFetch } from './serve-fetch.ts';
 import type { RequestEnvironment } from './decode-request.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
@@ -15,7 +16,13 @@ const effort = 1 / 8;
 /** Does the worker's work on the main thread, which can't send it anywhere else. */
 export async function decodeHere(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   try {
-    return await decodeRequest(request, { ...environment, budget: new Budget(maxBytes, effort), breathe });
+    const { fetch } = environment;
+    return await decodeRequest(request, {
+      ...environment,
+      fetch: fetch && checkedFetch(fetch),
+      budget: new Budget(maxBytes, effort),
+      breathe,
+    });
   } catch (error) {
     if (environment.signal?.aborted) throw environment.signal.reason;
     if (error instanceof VolumeViewError && error.code === 'format/too-large') throw explainLimits(error);

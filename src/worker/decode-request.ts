@@ -7,6 +7,7 @@ import { startsSeries } from '../formats/nifti/nifti-header.ts';
 import { maxFileBytes } from '../sources/download.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
 import type { FetchOne } from '../sources/fetch-files.ts';
+import { isDicomWeb } from '../sources/is-dicomweb.ts';
 import { isZip } from '../sources/is-zip.ts';
 import type { OpenedFiles } from '../sources/open-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
@@ -26,6 +27,8 @@ export interface RequestEnvironment {
   readonly budget?: Budget;
   /** Awaited between two long pieces of work. */
   readonly breathe?: () => Promise<void>;
+  /** Fetches in place of the browser's own function, which is used if undefined. */
+  readonly fetch?: typeof globalThis.fetch | null;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
   readonly onCoarse?: CoarseListener;
@@ -45,6 +48,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     onProgress,
     onScans,
     onCoarse,
+    fetch,
   } = environment;
   const url = request.files?.[0] ?? request.url;
   let named: RequestCredentials | undefined;
@@ -58,13 +62,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     onProgress({ loaded, total, phase });
   };
   const load = { request, onCoarse, onProgress: report('fetch') };
+  const reading = { signal, pageOrigin, fetch, maxBytes: Math.min(maxFileBytes, budget.deviceBytes) };
   const fetchOne: FetchOne = (url, onProgress) => {
     const read = opened?.read ?? fetchBytes;
     return read(url, {
-      signal,
-      pageOrigin,
+      ...reading,
       credentials: request.files?.includes(url) ? undefined : named,
-      maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
       isEnough,
       onProgress,
     });
@@ -75,16 +78,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     yield* fetchInOrder(urls, fetchOne, load.onProgress);
   };
   const start = async (): Promise<DecodeInput> => {
-    let first = request.local ? null : await fetchFile(url);
+    let first = request.local || isDicomWeb(url) ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
       const { openFiles } = await loadReader(() => import('#rare/sources/open-files.ts'));
-      opened = await openFiles(first ?? request.local!, {
-        isStack: files !== undefined,
-        load,
-        signal,
-      });
+      opened = await openFiles(first ?? request.local ?? url, { isStack: files !== undefined, load, signal }, reading);
       ({ files } = opened);
       first = await fetchFile(opened.first);
     }
@@ -109,6 +108,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       signal,
       pageOrigin,
       folder: opened?.folder,
+      fetch,
     });
   };
   try {

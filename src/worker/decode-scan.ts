@@ -19,7 +19,7 @@ export async function decodeScan(
   first: DecodeInput | null,
   settings: DecodeSettings,
   options: DecodeContext &
-    Pick<FetchOptions, 'signal' | 'pageOrigin'> & { readonly request: LoadRequest; readonly budget: Budget },
+    Pick<FetchOptions, 'signal' | 'pageOrigin' | 'fetch'> & { readonly request: LoadRequest; readonly budget: Budget },
 ): Promise<DecodedVolume> {
   const fetchFile: DecodeContext['fetchFile'] = async (url, range) => {
     const { local } = options.request;

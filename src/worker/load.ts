@@ -20,6 +20,8 @@ export interface LoadOptions {
   /** Stops the work at once; the promise is rejected with its reason. */
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
+  /** Fetches in place of the browser's own function, which is used if undefined. */
+  readonly fetch?: typeof globalThis.fetch | null;
   readonly onScans?: ScansListener;
   /** Receives a small stand-in for a large volume, before the volume itself is ready. */
   readonly onCoarse?: CoarseListener;
@@ -58,7 +60,14 @@ export async function workOff<T>(
   const { url } = task.order.request;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts(url)) {
+    let starts = listWorkerStarts(url);
+    if (options.fetch)
+      starts = (await loadPart(import('./serve-fetch.ts'), 'reads files')).withFetch(
+        starts,
+        options.fetch,
+        watched.signal,
+      );
+    for (const start of starts) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy that forbids workers.
       const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
       if (result !== notHere) return result as T;
@@ -147,7 +156,7 @@ function loadInWorker(
   });
 }
 
-async function loadHere(request: LoadRequest, { signal, ...listeners }: LoadOptions): Promise<Volume> {
+async function loadHere(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
-  return decodeHere(request, { signal, pageOrigin: origin, ...listeners });
+  return decodeHere(request, { ...options, pageOrigin: origin });
 }

@@ -44,7 +44,7 @@ export function takeOrders(worker: WorkerScope): void {
 }
 
 async function runOrder(
-  { request, pageOrigin }: WorkerOrder,
+  { request, pageOrigin, port }: WorkerOrder,
   limits: Promise<DeviceLimits>,
   signal: AbortSignal,
   report: Report,
@@ -60,6 +60,7 @@ async function runOrder(
       { ...request, limits },
       {
         ...environment,
+        fetch: port && (await loadReader(() => import('#rare/worker/page-fetch.ts'))).fetchOnPage(port),
         onScans: (times, data) => report({ type: 'scans', times, data }),
         onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : undefined),
       },

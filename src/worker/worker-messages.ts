@@ -10,6 +10,8 @@ import type { SurfaceRequest } from './surface-request.ts';
 export interface WorkerOrder {
   readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest;
   readonly pageOrigin: string;
+  /** To the page, where it fetches by a function of its own. */
+  readonly port?: MessagePort;
 }
 
 /** The second message: the limits, which become known a little later. */

@@ -314,3 +314,36 @@ export function packRle(numbers: Uint8Array | Uint16Array | Int16Array): Uint8Ar
   const head = [width, ...starts, ...Array.from({ length: 15 - width }, () => 0)];
   return Uint8Array.from([...head.flatMap((number) => numberBytes(number, 4)), ...segments.flat()]);
 }
+
+/** An element as DICOMweb servers say it. Source: PS3.18, annex F */
+interface JsonElement {
+  readonly vr: string;
+  readonly Value?: readonly unknown[];
+  readonly BulkDataURI?: string;
+}
+
+/**
+ * The elements as a DICOMweb server lists them: bytes are elsewhere.
+ * @param addressOf - where the bytes of an element are, by its digits
+ */
+export function dicomJson(fields: DicomFields, addressOf: (tag: string) => string): Record<string, JsonElement> {
+  const json: Record<string, JsonElement> = {};
+  for (const [keyword, value] of Object.entries(fields)) {
+    const [id, vr] = dictionary[keyword as Keyword];
+    const tag = id.toString(16).padStart(8, '0').toUpperCase();
+    if (value === undefined) continue;
+    if (value instanceof Uint8Array) json[tag] = { vr, BulkDataURI: addressOf(tag) };
+    else json[tag] = { vr, Value: valuesOf(value, vr, addressOf) };
+  }
+  return json;
+}
+
+function valuesOf(
+  value: Exclude<DicomValue, Uint8Array>,
+  vr: string,
+  addressOf: (tag: string) => string,
+): readonly unknown[] {
+  if (vr === 'SQ') return (value as readonly DicomFields[]).map((item) => dicomJson(item, addressOf));
+  if (typeof value !== 'string') return value;
+  return value.split('\\').map((one) => (/^(DS|IS)$/.test(vr) ? Number(one) : one));
+}

@@ -31,7 +31,8 @@ export class SharedVolumes {
    * @throws as loadVolume does
    */
   async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
-    const key = JSON.stringify(request);
+    // What a page fetches by a function of its own is not for all.
+    const key = JSON.stringify(request) + (options.fetch ?? '');
     const isShared = this.#given.get(element) !== key && !this.#unshared.has(key);
     for (;;) {
       const coming = isShared ? this.#coming.get(key) : undefined;
@@ -63,7 +64,7 @@ export class SharedVolumes {
     const onProgress = new Set([options.onProgress]);
     const onCoarse = new Set(options.onCoarse ? [options.onCoarse] : []);
     const loading = this.load(request, {
-      signal: options.signal,
+      ...options,
       onProgress: (progress) => onProgress.forEach((notify) => notify(progress)),
       onCoarse: (coarse) => onCoarse.forEach((notify) => notify(coarse)),
       onScans: (times, data) => {

@@ -23,8 +23,15 @@ import type { VolumePresenter } from '../view/volume-presenter.ts';
 /** Volumes with fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
 const minReduced = 2 ** 20;
 
+/** An element that may fetch by a function of its page. */
+export interface FetchingElement extends HTMLElement {
+  readonly fetch?: typeof globalThis.fetch | null;
+}
+
 /** What a loader needs of its view. */
 export interface LoaderHost {
+  /** The element. */
+  readonly host: FetchingElement;
   readonly settings: Settings;
   /** Whether the element is in a page, where it can show something. */
   readonly inPage: boolean;
@@ -286,7 +293,7 @@ export class SourceLoader {
     return sharedVolumes.get(
       this,
       { ...request, local, settings: reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
-      options,
+      { ...options, fetch: this.host.host.fetch },
     );
   }
 

@@ -15,6 +15,7 @@ import { isSameReading } from '../model/settings.ts';
 import type { Settings } from '../model/settings.ts';
 import type { FileGoal } from '../frames/take-picture.ts';
 import { SourceLoader } from './source-loader.ts';
+import type { FetchingElement } from './source-loader.ts';
 import type { LoaderHost } from './source-loader.ts';
 import type { Viewer } from '../view/viewer.ts';
 import { VolumePresenter } from '../view/volume-presenter.ts';
@@ -56,7 +57,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   readonly #visibility = new Visibility(() => this.#followVisibility());
 
   constructor(
-    readonly host: HTMLElement,
+    readonly host: FetchingElement,
     readonly scenes: SceneFactory,
     readonly listener: SessionListener,
   ) {

