@@ -76,7 +76,11 @@ function notNamed(): VolumeViewError {
 }
 
 async function readMetadata(url: string, reading: Reading): Promise<JsonSet[]> {
-  const { bytes } = await fetchFrom(url, 'application/dicom+json', 'the list of the DICOMweb series', reading);
+  const { bytes } = await fetchFrom(url, {
+    accept: 'application/dicom+json',
+    what: 'the list of the DICOMweb series',
+    reading,
+  });
   let sets: unknown;
   try {
     sets = bytes.length > 0 ? JSON.parse(new TextDecoder().decode(bytes)) : [];
@@ -150,7 +154,7 @@ async function readInstance(set: JsonSet, how: InstanceReading): Promise<DecodeI
   return { bytes: writeInstance(set, bulk, pixels), url, contentType: 'application/dicom' };
 }
 
-/** The pixels of an instance: frame by frame, but for numbers that frames do not have on all servers. */
+/** The pixels of an instance: frame by frame, except for numbers that frames do not have on all servers. */
 async function readPixels(
   set: JsonSet,
   how: InstanceReading,
@@ -242,7 +246,7 @@ async function readParts(url: string, what: string, reading: Reading, count: (by
   let accept = anySyntax;
   for (let isLast = false; ; isLast = true) {
     try {
-      const { bytes, contentType } = await fetchFrom(url, accept, what, reading, count);
+      const { bytes, contentType } = await fetchFrom(url, { accept, what, reading, count });
       return splitParts(bytes, contentType, what);
     } catch (cause) {
       const { status = 200 } = cause as { readonly status?: number };
@@ -255,10 +259,7 @@ async function readParts(url: string, what: string, reading: Reading, count: (by
 /** @throws {VolumeViewError} `source/…`, `format/too-large`: without the address, which has numbers of a patient's study */
 async function fetchFrom(
   url: string,
-  accept: string,
-  what: string,
-  reading: Reading,
-  count?: (bytes: number) => void,
+  { accept, what, reading, count }: { accept: string; what: string; reading: Reading; count?: (bytes: number) => void },
 ): Promise<DecodeInput> {
   const ask = reading.fetch ?? fetch;
   let [before, status] = [0, 0];
@@ -266,7 +267,10 @@ async function fetchFrom(
     return await fetchBytes(url, {
       ...reading,
       fetch: async (address, options) => {
-        const response = await ask(address, { ...options, headers: { ...options?.headers, accept } });
+        const response = await ask(address, {
+          ...options,
+          headers: { ...Object.fromEntries(new Headers(options?.headers)), accept },
+        });
         status = response.status;
         return response;
       },

@@ -44,8 +44,11 @@ test.describe('behind a token', () => {
           new Promise((resolve) => one.addEventListener(type, (event) => resolve(event as never), { once: true }));
         const first = (await end('error')).detail.message;
         one.fetch = (address, options) => {
-          seen.push(String(address));
-          return fetch(address, { ...options, headers: { ...options?.headers, Authorization: 'Bearer 1234' } });
+          seen.push(address as string);
+          return fetch(address, {
+            ...options,
+            headers: { ...Object.fromEntries(new Headers(options?.headers)), Authorization: 'Bearer 1234' },
+          });
         };
         one.reload();
         await end('load');

@@ -64,7 +64,7 @@ export function writeInstance(
   return join(pieces);
 }
 
-/** The addresses of elements that are read and stand elsewhere, but for the pixels. */
+/** The addresses of elements that are read and stand elsewhere, except the pixels. */
 export function listBulk(set: JsonSet, depth = 0): string[] {
   return knownElements(set).flatMap(({ element, isSequence }) => {
     if (isSequence) return depth < maxDepth ? itemsOf(element).flatMap((item) => listBulk(item, depth + 1)) : [];
@@ -158,7 +158,7 @@ function writeElement(id: number, vr: string, value: Pieces): Pieces {
   header.setUint16(2, id & 0xffff, true);
   // A text that is too long for its representation has an unknown one.
   const written = shortLength.test(vr) && !isShort ? 'UN' : vr;
-  [...written].forEach((letter, i) => header.setUint8(4 + i, letter.charCodeAt(0)));
+  for (const i of [0, 1]) header.setUint8(4 + i, written.charCodeAt(i));
   if (isShort) header.setUint16(6, length, true);
   else header.setUint32(8, length, true);
   return [new Uint8Array(header.buffer), ...value];

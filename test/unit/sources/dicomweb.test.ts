@@ -174,7 +174,7 @@ describe('a series on a DICOMweb server', () => {
       const seen: number[] = [];
       await load(url, { onProgress: ({ loaded, phase }) => phase === 'fetch' && seen.push(loaded) });
       expect(new Set(seen).size, 'more than one report an answer').to.be.greaterThan(4);
-      expect([...seen].sort((a, b) => a - b).at(-1)).to.be.greaterThan(3 * 24);
+      expect(Math.max(...seen)).to.be.greaterThan(3 * 24);
     });
     await withWeb(slices(3), { slowMs: 60_000 }, async ({ url }) => {
       const given = new AbortController();
@@ -187,7 +187,10 @@ describe('a series on a DICOMweb server', () => {
   it('is fetched with the function of the page, where it has one', async () => {
     await withWeb(slices(3), { token: 'Bearer x' }, async ({ url, asked }) => {
       const own: typeof fetch = (address, options) =>
-        fetch(address, { ...options, headers: { ...options?.headers, Authorization: 'Bearer x' } });
+        fetch(address, {
+          ...options,
+          headers: { ...Object.fromEntries(new Headers(options?.headers)), Authorization: 'Bearer x' },
+        });
       expect((await load(url, { fetch: own })).grid.dimensions).to.deep.equal([4, 3, 3]);
       expect(asked).to.have.length(4);
     });
