@@ -48,9 +48,8 @@ type Reading = Omit<FetchOptions, 'onProgress' | 'isEnough'> & Partial<Pick<Fetc
  */
 export async function openDicomWeb(address: string, reading: Reading): Promise<OpenedFiles> {
   const { origin, pathname, search } = new URL(address);
-  const path = pathname.replace(/\/$/, '');
-  const [series] = /^.*\/series\/[\d.]+/.exec(path)!;
-  const sets = await readMetadata(`${origin}${path}/metadata${search}`, reading);
+  const [series] = /^.*\/series\/[\d.]+/.exec(pathname)!;
+  const sets = await readMetadata(`${origin}${pathname}/metadata${search}`, reading);
   checkFileCount('the DICOMweb series', sets.length);
   const instances = new Map<string, { readonly set: JsonSet; readonly place: number }>();
   for (const [place, set] of middleFirst(sets).entries())

@@ -105,10 +105,8 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       onRadar: () => load.onCoarse?.(null),
       budget,
       request,
-      signal,
-      pageOrigin,
       folder: opened?.folder,
-      fetch,
+      ...reading,
     });
   };
   try {

@@ -121,7 +121,7 @@ describe('a series on a DICOMweb server', () => {
       ]);
     });
     await withWeb(slices(3), {}, async ({ origin }) => {
-      const { message } = await expectError(load(`${origin}/other/studies/1.2.77/series/1.2.78/instances/1.2/`));
+      const { message } = await expectError(load(`${origin}/other/studies/1.2.77/series/1.2.78/instances/1.2`));
       expect(message).to.match(/^the DICOMweb server has no instance/);
     });
     await withWeb(slices(3), { missing: 1 }, async ({ url }) => {
