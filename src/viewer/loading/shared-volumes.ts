@@ -23,6 +23,9 @@ export class SharedVolumes {
   /** The last request of each element: an element that repeats it wants the volume loaded again. */
   readonly #given = new WeakMap<object, string>();
 
+  /** The number of requests with functions of their own. */
+  #apart = 0;
+
   constructor(readonly load: typeof loadVolume) {}
 
   /**
@@ -31,8 +34,8 @@ export class SharedVolumes {
    * @throws as loadVolume does
    */
   async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
-    // What a page fetches by a function of its own is not for all.
-    const key = JSON.stringify(request) + (options.fetch ?? '');
+    // What a page fetches by a function of its own is not shared: who may see it depends on the function.
+    const key = JSON.stringify(request) + (options.fetch ? ++this.#apart : '');
     const isShared = this.#given.get(element) !== key && !this.#unshared.has(key);
     for (;;) {
       const coming = isShared ? this.#coming.get(key) : undefined;

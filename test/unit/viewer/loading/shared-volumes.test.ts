@@ -60,6 +60,22 @@ describe('volumes that several elements show', () => {
     expect(loads.length).to.equal(1);
   });
 
+  it('are loaded again for each element that fetches by a function of its page, and not given to others', async () => {
+    const { shared, loads } = start();
+    const withToken = (token: string): LoadOptions => ({
+      ...quietly(),
+      fetch: (address) => fetch(address, { headers: { authorization: token } }),
+    });
+    for (const options of [withToken('a'), withToken('b'), quietly()]) {
+      const got = shared.get({ name: 'another' }, request, options);
+      await turn();
+      const volume = some();
+      loads.at(-1)!.end(volume);
+      expect(await got).to.equal(volume);
+    }
+    expect(loads.length).to.equal(3);
+  });
+
   it('are others where anything that is asked for differs', async () => {
     const { shared, loads } = start();
     void shared.get({ name: 'first' }, request, quietly());
