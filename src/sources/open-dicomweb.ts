@@ -8,7 +8,7 @@ import type { FetchOptions } from './download.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import { splitParts } from './multipart.ts';
 import type { Part } from './multipart.ts';
-import type { OpenedFiles } from './open-files.ts';
+import type { OpenedFiles } from './opened-files.ts';
 
 /** Bytes of frames that are asked for at once, and the number of frames. */
 const [frameBytes, maxFrames] = [2 ** 22, 64];

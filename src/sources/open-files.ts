@@ -1,6 +1,6 @@
 // Opens what holds files: a ZIP archive, or the files that a person chose. Loaded when it is needed.
 import { VolumeViewError } from '../core/errors.ts';
-import type { DecodedVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
+import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { keptBytes } from '../formats/base/format.ts';
 import type { LocalFiles } from '../formats/base/load-request.ts';
 import { nameOf } from '../formats/base/name-of.ts';
@@ -14,19 +14,10 @@ import { HttpStore } from './http-store.ts';
 import { LocalStore } from './local-store.ts';
 import { MemoryStore } from './memory-store.ts';
 import { openHandles } from './open-handles.ts';
+import type { OpenedFiles } from './opened-files.ts';
 import { PrivateStore, reasonOf } from './private-store.ts';
 import { isZip } from './is-zip.ts';
 import { ZipStore } from './zip-store.ts';
-
-/** The volume in an archive, or in chosen files. */
-export interface OpenedFiles extends FoundVolume {
-  /** Their kind and number, without a name. */
-  readonly source: NonNullable<DecodedVolume['source']>;
-  /** Reads the files of series in parts. */
-  readonly folder?: FolderReader;
-  /** Reads any file that belongs to it, of a folder its start; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */
-  read(url: string, options: ReadOptions): Promise<DecodeInput>;
-}
 
 type OpenOptions = Pick<FindOptions, 'isStack' | 'signal'> & {
   /** Reads files of series in parts for this load; they are read as a whole if undefined. */

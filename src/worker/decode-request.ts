@@ -9,7 +9,7 @@ import { fetchBytes } from '../sources/fetch-bytes.ts';
 import type { FetchOne } from '../sources/fetch-files.ts';
 import { isDicomWeb } from '../sources/is-dicomweb.ts';
 import { isZip } from '../sources/is-zip.ts';
-import type { OpenedFiles } from '../sources/open-files.ts';
+import type { OpenedFiles } from '../sources/opened-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type {

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { openFiles } from '../../../src/sources/open-files.ts';
-import type { OpenedFiles } from '../../../src/sources/open-files.ts';
+import type { OpenedFiles } from '../../../src/sources/opened-files.ts';
 import { LocalStore } from '../../../src/sources/local-store.ts';
 import { PrivateStore } from '../../../src/sources/private-store.ts';
 import { expectError, fetchFixture } from '../../helpers/decode.ts';
