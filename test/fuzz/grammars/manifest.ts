@@ -86,7 +86,8 @@ function makeObject(random: Random, kind: string): unknown {
   const sweeps = random.chance(0.5)
     ? Array.from({ length: random.size(tiles) % 50 }, () => makeSweep(random))
     : undefined;
-  return { ...shared, image, elevations, range: [random.number(250), random.number(500)], sweeps };
+  // All tiles are sweeps.
+  return { ...shared, slices: undefined, image, elevations, range: [random.number(250), random.number(500)], sweeps };
 }
 
 function makeRaw(random: Random): unknown {
@@ -101,7 +102,8 @@ function makeRaw(random: Random): unknown {
 function makeSweep(random: Random): unknown {
   const sweep = (root.properties!.sweeps as Schema).items!;
   return {
-    ...chooseFields(random, sweep, ['rays', 'gates', 'azimuths', 'elevations']),
+    ...chooseFields(random, sweep, ['rays', 'gates', 'azimuths', 'elevations', 'range']),
+    ...(random.chance(0.25) ? { range: [random.number(250), random.number(500)] } : {}),
     ...(random.chance(0.5)
       ? { rays: random.size(3), azimuths: [0, 120, 240].map((angle) => random.number(angle)) }
       : {}),
@@ -155,6 +157,7 @@ function makeValue(random: Random, one: Schema): unknown {
   if (one.examples) return random.pick(one.examples);
   if (one.type === 'array') return makeList(random, one);
   if (one.type === 'object') return chooseFields(random, one, []);
+  if (one.type === 'boolean') return random.chance(0.5);
   if (one.type === 'string') return random.or('linear', 'words', '0 red 0, 1 blue 1', 'constructor');
   const [low, high] = [one.minimum ?? 1, one.maximum ?? 90];
   return one.type === 'integer' ? random.size(Math.max(low, 1)) : random.number(low + random.unit() * (high - low));
