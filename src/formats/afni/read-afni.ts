@@ -13,6 +13,9 @@ import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { areScans, openVolumes } from '../series/open-volumes.ts';
+import { shortest, timeAt } from '../series/scan-times.ts';
+import type { TimeSteps } from '../series/scan-times.ts';
 import { fetchPartner } from '../grid-files/fetch-partner.ts';
 import { numbersOf, readAfniHeader, what } from './afni-header.ts';
 import type { AfniHeader } from './afni-header.ts';
@@ -29,7 +32,7 @@ const types = new Map<number, NumberType>([
 ]);
 
 /**
- * Reads an AFNI volume; either of its two files may be given. Of several sub-bricks, the first one.
+ * Reads an AFNI volume; either of its two files may be given. Several sub-bricks of one type are scans, in time where the file says so.
  * Sources: AFNI, README.attributes; nibabel 5.4, `brikhead.py`
  */
 export const readAfni: FormatReader = async (input, settings, context) => {
@@ -43,14 +46,37 @@ export const readAfni: FormatReader = async (input, settings, context) => {
   const isPacked = isGzip(packed);
   const reader = new PieceReader(isPacked ? gunzip(packed) : yieldOnce(packed));
   const { onProgress, budget } = context;
+  const littleEndian = header.get('BYTEORDER_STRING') !== 'MSB_FIRST';
+  const atMost = isPacked ? packed.length * maxDeflateRatio : packed.length;
+  const lost = type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null;
+  const hasOneType = (numbersOf(header, 'BRICK_TYPES', 1) ?? [])
+    .slice(0, volumes)
+    .every((code, _, [first]) => code === first);
+  if (hasOneType && areScans(volumes, type, settings, context)) {
+    const [pieces, bytes] = [isPacked ? gunzip(packed) : yieldOnce(packed), countSampleBytes(what, dimensions, type)];
+    const factors = numbersOf(header, 'BRICK_FLOAT_FACS', 1) ?? [];
+    const steps = readSteps(header);
+    return await openVolumes(
+      { what: 'the AFNI file', pieces, atMost, offset: 0, bytes, count: volumes },
+      () => ({
+        info: { grid: cartesianGrid(dimensions, readAffine(header)), anatomical: true, unit: '', format: 'AFNI' },
+        type,
+        littleEndian,
+        scaleOf: (index) => ({ slope: factors[index] || 1, intercept: 0 }),
+        timeOf: (index) => timeAt(index, steps),
+        left: [lost],
+      }),
+      settings,
+      context,
+    );
+  }
   try {
     await reader.readStart(1);
     const bytes = await readSpan(
       reader,
-      { atMost: isPacked ? packed.length * maxDeflateRatio : packed.length, onProgress, budget },
+      { atMost, onProgress, budget },
       { what: 'AFNI', offset: 0, bytes: countSampleBytes(what, dimensions, type), isPart: volumes > 1 },
     );
-    const littleEndian = header.get('BYTEORDER_STRING') !== 'MSB_FIRST';
     const stored = storeSamples(bytes, type, littleEndian, {
       slope,
       intercept: 0,
@@ -69,7 +95,7 @@ export const readAfni: FormatReader = async (input, settings, context) => {
         unkept: stored.unkept,
         unit: '',
         format: `AFNI${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
-        ...listLeft(volumes, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
+        ...listLeft(volumes, lost),
       },
       settings,
     );
@@ -95,6 +121,23 @@ async function findPair(
       'does not begin with the type of an attribute; expected "type = string-attribute" or similar',
     );
   return { header: readAfniHeader(bytes), samples: input.bytes };
+}
+
+/** Units of AFNI's time axis, and how many of them are one of ours. Source: README.attributes, TAXIS_NUMS */
+const timeUnits: ReadonlyMap<number, readonly [name: string, per: number]> = new Map([
+  [77001, ['s', 1e3]],
+  [77002, ['s', 1]],
+  [77003, ['Hz', 1]],
+]);
+
+/** Times of the sub-bricks; null where they are none, as those of statistics. Source: README.attributes, TAXIS_FLOATS */
+function readSteps(header: AfniHeader): TimeSteps | null {
+  const [, , code] = numbersOf(header, 'TAXIS_NUMS', 3) ?? [];
+  const [first, step] = numbersOf(header, 'TAXIS_FLOATS', 2) ?? [];
+  const unit = timeUnits.get(code);
+  if (!unit || !(step > 0)) return null;
+  const [name, per] = unit;
+  return { first: shortest(first) / per, step: shortest(step) / per, unit: name };
 }
 
 function readType(header: AfniHeader): NumberType {

@@ -10,6 +10,8 @@ import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
 import { listDataFiles } from '../grid-files/list-data-files.ts';
 import { readSamples } from '../grid-files/read-samples.ts';
 import type { SampleLayout } from '../grid-files/read-samples.ts';
+import { mayKeepAll, openInArray } from '../grid-files/open-in-array.ts';
+import { areScans } from '../series/open-volumes.ts';
 import { hostIsLittleEndian } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 import { listLeft } from '../base/list-left.ts';
@@ -18,7 +20,7 @@ import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { needField, readFlag, readMetaImageHeader, readNumbers, readType, what } from './metaimage-header.ts';
 import type { MetaImageHeader } from './metaimage-header.ts';
 
-/** Reads a MetaImage file, or its header and the files that it names. Of a series, the first volume. */
+/** Reads a MetaImage file, or its header and the files that it names. Volumes along further axes are scans. */
 export const readMetaImage: FormatReader = async (input, settings, context) => {
   const header = readMetaImageHeader(input.bytes);
   const type = readType(header);
@@ -28,9 +30,22 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const volumes = series.reduce((product, n) => product * n, 1);
   const indexToWorld = readAffine(header, sizes.length);
   const wanted = countSampleBytes(what, dimensions, type);
-  const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
+  const grid = cartesianGrid(dimensions, indexToWorld);
+  const bytesInAll = wanted * volumes;
+  if (areScans(volumes, type, settings, context) && mayKeepAll(volumes, bytesInAll, context)) {
+    const bytes = await readData(input, context, { header, type, wanted: bytesInAll, bytesInAll });
+    const starts = Array.from({ length: volumes }, (_, i) => i * nx * ny * nz);
+    const info = { grid, unit: '', format: 'MetaImage', anatomical: isAnatomical(header) };
+    return openInArray(
+      { bytes, dimensions, strides: [1, nx, nx * ny], starts },
+      { info, type, littleEndian, left: listUnused(header) },
+      settings,
+      context,
+    );
+  }
+  const bytes = await readData(input, context, { header, type, wanted, bytesInAll });
   const { samples, scale, offset, indexed, rounded, unkept } = storeSamples(bytes, type, littleEndian, {
     slope: 1,
     intercept: 0,
@@ -40,7 +55,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
   return placeVolume(
     {
-      grid: cartesianGrid(dimensions, indexToWorld),
+      grid,
       samples,
       slope: scale,
       intercept: offset,

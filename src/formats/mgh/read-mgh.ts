@@ -12,6 +12,9 @@ import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { areScans, openVolumes } from '../series/open-volumes.ts';
+import { shortest, timeAt } from '../series/scan-times.ts';
+import type { TimeSteps } from '../series/scan-times.ts';
 
 /** Bytes of the header; the samples follow it. */
 const mghHeaderBytes = 284;
@@ -47,17 +50,43 @@ interface MghHeader {
 }
 
 /**
- * Reads an MGH file, packed with gzip (MGZ) or not: of a series of frames, the first one. What follows the samples, such
- * as scan parameters and names of labels, is not used.
+ * Reads an MGH file, packed with gzip (MGZ) or not; several frames are scans in time. Of what follows the samples only the time between
+ * two frames is used.
  * Sources: FreeSurfer wiki, FsTutorial/MghFormat; nibabel 5.4, `freesurfer/mghformat.py`
  */
-export const readMgh: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+export const readMgh: FormatReader = async ({ bytes }, settings, context) => {
+  const { onProgress, budget } = context;
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
   const atMost = isPacked ? bytes.length * maxDeflateRatio : bytes.length;
   const reader = new PieceReader(isPacked ? gunzip(bytes) : yieldOnce(bytes));
   try {
     const { dimensions, frames, type, indexToWorld, anatomical } = readHeader(await reader.readStart(mghHeaderBytes));
+    if (areScans(frames, type, settings, context)) {
+      const voxels = countSampleBytes(what, dimensions, type);
+      return await openVolumes(
+        {
+          what: 'the MGH file',
+          pieces: isPacked ? gunzip(bytes) : yieldOnce(bytes),
+          atMost,
+          offset: mghHeaderBytes,
+          bytes: voxels,
+          count: frames,
+          tail: 4,
+        },
+        async (file) => {
+          const steps = await readSteps(file, mghHeaderBytes + frames * voxels);
+          return {
+            info: { grid: cartesianGrid(dimensions, indexToWorld), anatomical, unit: '', format: 'MGH' },
+            type,
+            littleEndian: false,
+            timeOf: (index) => timeAt(index, steps),
+          };
+        },
+        settings,
+        context,
+      );
+    }
     const stored = storeSamples(
       await readSpan(
         reader,
@@ -94,6 +123,13 @@ export const readMgh: FormatReader = async ({ bytes }, settings, { onProgress, b
     await reader.stop();
   }
 };
+
+/** The time between two frames (TR) follows the samples, in milliseconds; null where it is absent or 0. Source: nibabel, `mghformat.py` */
+async function readSteps(file: Blob, at: number): Promise<TimeSteps | null> {
+  const bytes = await file.slice(at, at + 4).arrayBuffer();
+  const step = bytes.byteLength < 4 ? 0 : shortest(new DataView(bytes).getFloat32(0)) / 1e3;
+  return step > 0 && Number.isFinite(step) ? { first: 0, step, unit: 's' } : null;
+}
 
 /** All numbers are big-endian, on every machine. */
 function readHeader(bytes: Uint8Array): MghHeader {

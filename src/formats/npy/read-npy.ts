@@ -9,15 +9,16 @@ import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { pickVolume } from '../grid-files/pick-volume.ts';
+import { areScans, openVolumes } from '../series/open-volumes.ts';
 import { readNpyHeader } from './npy-header.ts';
 import type { NpyHeader } from './npy-header.ts';
 
 /**
  * Reads an array of NumPy. Its axes are slices, rows, columns, whatever the order in memory: the last axis is i, the one
- * before it j, the third from the end k, as SimpleITK and scikit-image have them. Axes before these make a series, of
- * which the first volume is read.
+ * before it j, the third from the end k, as SimpleITK and scikit-image have them. Axes before these make scans.
  */
-export const readNpy: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+export const readNpy: FormatReader = async ({ bytes }, settings, context) => {
+  const { onProgress, budget } = context;
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
   const atMost = isPacked ? bytes.length * maxDeflateRatio : bytes.length;
@@ -27,6 +28,18 @@ export const readNpy: FormatReader = async ({ bytes }, settings, { onProgress, b
     const { type, littleEndian, end } = header;
     const { dimensions, strides, volumes } = arrangeAxes(header);
     const picked = countSampleBytes('the NPY header', dimensions, type);
+    const lost = type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null;
+    const grid = cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1]));
+    // In Fortran's order the samples of all volumes lie among each other.
+    if (!header.isFortran && areScans(volumes, type, settings, context)) {
+      const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
+      return await openVolumes(
+        { what: 'the NPY file', pieces, atMost, offset: end, bytes: picked, count: volumes },
+        () => ({ info: { grid, unit: '', format: 'NPY' }, type, littleEndian, left: [lost] }),
+        settings,
+        context,
+      );
+    }
     // The number of samples from the volume's first one to its last one; samples of other volumes may lie between.
     const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
     const spanBytes = countSampleBytes('the NPY header', [span], type);
@@ -44,7 +57,7 @@ export const readNpy: FormatReader = async ({ bytes }, settings, { onProgress, b
     });
     return placeVolume(
       {
-        grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1])),
+        grid,
         samples,
         slope: scale,
         intercept: offset,
@@ -53,7 +66,7 @@ export const readNpy: FormatReader = async ({ bytes }, settings, { onProgress, b
         unkept,
         unit: '',
         format: `NPY${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
-        ...listLeft(volumes, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
+        ...listLeft(volumes, lost),
       },
       settings,
     );

@@ -12,6 +12,8 @@ export interface NrrdAxis {
   readonly direction: Vector3 | 'none' | null;
   /** Length of a step, if there is no direction. */
   readonly spacing: number;
+  /** Whether the header says it; else it is 1. */
+  readonly isSpaced: boolean;
   /** Position of its first sample, from the axis' own range; 0 if it is not given. */
   readonly first: number;
   readonly unit: string;
@@ -78,12 +80,17 @@ function readRange(
   size: number,
   spacingText: string | undefined,
   { min, max, isNode }: { readonly min?: string; readonly max?: string; readonly isNode: boolean },
-): Pick<NrrdAxis, 'spacing' | 'first'> {
+): Pick<NrrdAxis, 'spacing' | 'isSpaced' | 'first'> {
   const [low, high] = [min, max].map((text) => Number(text ?? NaN));
   const isSaid = spacingText !== undefined && !/^nan$/i.test(spacingText);
   const computed = (high - low) / (isNode ? size - 1 : size);
-  const spacing = !isSaid && Number.isFinite(computed) && computed !== 0 ? computed : readSpacing(spacingText);
-  return { spacing, first: Number.isFinite(low) ? low + (isNode ? 0 : spacing / 2) : 0 };
+  const isComputed = !isSaid && Number.isFinite(computed) && computed !== 0;
+  const spacing = isComputed ? computed : readSpacing(spacingText);
+  return {
+    spacing,
+    isSpaced: isSaid || isComputed,
+    first: Number.isFinite(low) ? low + (isNode ? 0 : spacing / 2) : 0,
+  };
 }
 
 /** A fourth number belongs to time and is ignored. An axis without a direction in space is one of time. */
@@ -151,4 +158,16 @@ export function chooseAxes(all: readonly NrrdAxis[]): NrrdLayout {
     axes: spatial.map((i) => all[i]),
     volumes: others.reduce((product, { size }) => product * size, 1),
   };
+}
+
+/** Where each of the array's volumes begins, samples. */
+export function listVolumes(all: readonly NrrdAxis[], { axes }: NrrdLayout): number[] {
+  let [starts, stride] = [[0], 1];
+  for (const axis of all) {
+    const step = stride;
+    if (!axes.includes(axis))
+      starts = Array.from({ length: axis.size }, (_, i) => starts.map((start) => start + i * step)).flat();
+    stride *= axis.size;
+  }
+  return starts;
 }

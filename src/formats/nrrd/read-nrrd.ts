@@ -15,7 +15,8 @@ import { listLeft } from '../base/list-left.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { isAnatomical, readAffine } from './nrrd-affine.ts';
-import { chooseAxes, quoted, readAxes } from './nrrd-axes.ts';
+import { openNrrdScans } from './nrrd-scans.ts';
+import { chooseAxes, listVolumes, quoted, readAxes } from './nrrd-axes.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 import type * as segmentPart from './segments.ts';
 import type { MergedSegments } from './segments.ts';
@@ -23,8 +24,8 @@ import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what
 import type { NrrdFields, NrrdHeader } from './nrrd-header.ts';
 
 /**
- * Reads an NRRD file, or its header and the files that it names. Of lists and series, the first volume; of 3D Slicer's
- * segmentations, all layers.
+ * Reads an NRRD file, or its header and the files that it names. Volumes of lists and series are scans; of 3D Slicer's segmentations all
+ * layers are read.
  */
 export const readNrrd: FormatReader = async (input, settings, context) => {
   const header = readNrrdHeader(input.bytes);
@@ -35,14 +36,30 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const indexToWorld = readAffine(fields, layout.axes);
   const wanted: Wanted = { header, type, all, layout };
   const { volumes } = layout;
-  const segments = header.segments.size > 0 ? await loadReader(() => import('./segments.ts')) : null;
+  const grid = cartesianGrid(layout.dimensions, indexToWorld);
+  const isLabels = header.segments.size > 0;
+  const scans = isLabels
+    ? null
+    : await openNrrdScans(
+        { all, layout, read: (samples) => readSpan(input, context, wanted, samples) },
+        {
+          info: { grid, unit: readSampleUnit(fields), anatomical: isAnatomical(fields), format: 'NRRD' },
+          type,
+          littleEndian: isStoredLittleEndian(fields),
+          left: [describeOldRange(fields)],
+        },
+        settings,
+        context,
+      );
+  if (scans) return scans;
+  const segments = isLabels ? await loadReader(() => import('./segments.ts')) : null;
   const labels = segments && {
     isLabels: true,
     named: segments.nameSegments(segments.readSegments(header.segments, volumes)),
   };
   const merged = segments && volumes > 1 ? await mergeLayers(input, context, wanted, segments) : null;
   const volume = {
-    grid: cartesianGrid(layout.dimensions, indexToWorld),
+    grid,
     ...(merged ?? (await store(await readFirst(input, context, wanted), wanted, context))),
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
@@ -69,8 +86,7 @@ async function store(
   { header: { fields }, type }: Wanted,
   { budget }: ReadContext,
 ): Promise<Stored> {
-  const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset, indexed, rounded, unkept } = storeSamples(bytes, type, littleEndian, {
+  const { samples, scale, offset, indexed, rounded, unkept } = storeSamples(bytes, type, isStoredLittleEndian(fields), {
     slope: 1,
     intercept: 0,
     budget,
@@ -79,6 +95,9 @@ async function store(
   return { samples, slope: scale, intercept: offset, indexed, rounded, unkept };
 }
 
+const isStoredLittleEndian = (fields: NrrdFields): boolean =>
+  readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
+
 type SegmentPart = typeof segmentPart;
 
 /** Merges all layers of a segmentation. */
@@ -86,7 +105,7 @@ async function mergeLayers(
   input: DecodeInput,
   context: ReadContext,
   wanted: Wanted,
-  { SegmentMerger, listLayers, readSegments }: SegmentPart,
+  { SegmentMerger, readSegments }: SegmentPart,
 ): Promise<MergedSegments & Pick<Stored, 'slope' | 'intercept'>> {
   const {
     header,
@@ -101,7 +120,7 @@ async function mergeLayers(
   // A copy of each layer, and the merged labels.
   context.budget.take(countSampleBytes(what, dimensions, type) + 3 * voxels, what);
   const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
-  for (const [layer, start] of listLayers(all, layout).entries()) {
+  for (const [layer, start] of listVolumes(all, layout).entries()) {
     const picked = pickVolume(bytes.subarray(start * bytesPerSample), bytesPerSample, dimensions, strides);
     const { slope, intercept, samples, indexed } = await store(picked.slice(), wanted, context);
     merger.add(layer, indexed ? { slope: 1, intercept: 0, ...indexed } : { samples, slope, intercept });

@@ -6,7 +6,6 @@ import type { Samples } from '../../volume/samples.ts';
 import { cleanName } from '../base/clean-name.ts';
 import { unsupportedFile } from '../base/file-problem.ts';
 import { LabelPainter } from '../base/label-painter.ts';
-import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 
 /** One segment, as the header's keys describe it. */
 export interface Segment {
@@ -39,18 +38,6 @@ export function readSegments(keys: ReadonlyMap<string, string>, layers: number):
       layer: whole('Layer', layers > 1 ? number : 0),
     };
   });
-}
-
-/** Where each of the array's volumes begins, samples. */
-export function listLayers(all: readonly NrrdAxis[], { axes }: NrrdLayout): number[] {
-  let [starts, stride] = [[0], 1];
-  for (const axis of all) {
-    const step = stride;
-    if (!axes.includes(axis))
-      starts = Array.from({ length: axis.size }, (_, i) => starts.map((start) => start + i * step)).flat();
-    stride *= axis.size;
-  }
-  return starts;
 }
 
 /** A layer's stored voxels. */

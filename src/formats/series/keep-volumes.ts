@@ -23,6 +23,8 @@ export interface SeriesSpan {
   /** Of one volume. */
   readonly bytes: number;
   readonly count: number;
+  /** Bytes after the last one that the reader looks at; 0 if undefined. A file that lacks them is not cut short. */
+  readonly tail?: number;
 }
 
 /** The volumes of a file, and what of them is left out, in words. */
@@ -56,7 +58,7 @@ export async function keepVolumes(
   span: SeriesSpan,
   { atMost, budget, onProgress }: StreamSource,
 ): Promise<KeptVolumes> {
-  const { what, offset, bytes, count } = span;
+  const { what, offset, bytes, count, tail = 0 } = span;
   checkEnd(span, atMost, `at most ${atMost} bytes`);
   const kept = countKept(span, budget);
   budget.take(kept * bytes, what);
@@ -70,7 +72,7 @@ export async function keepVolumes(
     held = 0;
   };
   for await (const piece of unpacked) {
-    if (size < end) {
+    if (size < end + tail) {
       pieces.push(piece);
       held += piece.length;
     }
