@@ -50,7 +50,7 @@ const wrongFiles: Record<string, Uint8Array | string> = {
   'cut.nii': files['field.nii'].slice(0, 3000),
   'huge.nii': hugeNifti(),
   'pair.hdr': patchedNifti((bytes) => bytes.set([0x6e, 0x69, 0x31], 344)),
-  'colours.nii': patchedNifti((_, view) => view.setInt16(70, 128, true)),
+  'bits.nii': patchedNifti((_, view) => view.setInt16(70, 1, true)),
   'cut.png': files['field.png'].slice(0, 2000),
   'broken.json': '{ "image": ',
   'no-image.json': json({ mosaic: '4x4' }),
@@ -100,8 +100,8 @@ const faults: Record<string, Fault> = {
     code: 'source/not-found',
     message: /pair\.hdr is one of the two files of .*neither pair\.img nor pair\.img\.gz was found/,
   },
-  'a datatype of colours': {
-    attributes: { src: 'colours.nii' },
+  'a datatype of bits': {
+    attributes: { src: 'bits.nii' },
     code: 'format/unsupported',
     message: /holds .*; convert it to numbers first/,
   },

@@ -5,6 +5,7 @@ import type { ScanTarget, ScanTimes } from '../../src/formats/base/choose-scan.t
 import type { DecodeInput } from '../../src/formats/base/decoded-volume.ts';
 import type { ScanData } from '../../src/formats/base/scan-data.ts';
 import { readPlacedScan } from '../../src/formats/series/read-scan.ts';
+import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fixtureContext, roomyLimits, urlOf } from './decode.ts';
 
@@ -39,7 +40,18 @@ export async function openScans(
   let times: ScanTimes = [];
   let data: readonly ScanData[] = [];
   const context = fixtureContext();
-  const access = fetchFile ? { ...context, fetchFile } : context;
+  const access = fetchFile
+    ? {
+        ...context,
+        fetchFile,
+        fetchFiles: (urls: readonly string[]) =>
+          fetchInOrder(
+            urls,
+            (url) => fetchFile(url),
+            () => {},
+          ),
+      }
+    : context;
   const decoded = await decodeFile(
     { bytes, url: urlOf(name), contentType: '', ...input },
     { scan },

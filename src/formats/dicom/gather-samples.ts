@@ -194,7 +194,7 @@ function chooseType(frames: readonly Frame[]): StoredType {
 }
 
 /** The floats that hold all numbers of a type. */
-function floatOf(type: StoredType): 'float32' | 'float64' {
+export function floatOf(type: StoredType): 'float32' | 'float64' {
   return /32|64/.test(type) && type !== 'float32' ? 'float64' : 'float32';
 }
 

@@ -2,6 +2,8 @@
 import { invalidAttribute } from '../../core/errors.ts';
 import { dot } from '../../volume/matrix.ts';
 import type { Budget } from '../base/budget.ts';
+import { findPhases } from './find-phases.ts';
+import type { Phases } from './find-phases.ts';
 import type { Frame, Plane } from './frame.ts';
 
 export interface ChosenFrames {
@@ -9,6 +11,8 @@ export interface ChosenFrames {
   readonly frames: readonly Frame[];
   /** What of the files is not among them, in words. */
   readonly left: readonly string[];
+  /** Where places were measured several times: all of them, of which `frames` are one, and what of the files is not among these. */
+  readonly phases?: Phases & { readonly left: readonly string[] };
 }
 
 const sameDirection = 1 - 1e-5; // Cosine of a quarter of a degree.
@@ -52,22 +56,22 @@ export function chooseFrames(all: readonly Frame[], budget: Budget, wanted?: num
   const isCandidate = candidates.includes(chosen);
   const localizers = isCandidate ? series.slice(candidates.length).flatMap(({ group }) => group).length : 0;
   const others = (isCandidate ? candidates : series).filter((one) => one !== chosen).map(({ group }) => group.length);
+  const elsewhere = [
+    ...(others.length > 0
+      ? [
+          `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: ${wanted ? `number ${wanted}` : `the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''}`} is shown`,
+        ]
+      : []),
+    ...(localizers > 0
+      ? [`${count(localizers, 'picture')} that only show${localizers > 1 ? '' : 's'} where the slices lie (LOCALIZER)`]
+      : []),
+  ];
+  const { phases } = chosen;
   return {
     frames: chosen.frames,
     series: series.map(({ frames }) => frames),
-    left: [
-      ...chosen.left,
-      ...(others.length > 0
-        ? [
-            `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: ${wanted ? `number ${wanted}` : `the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''}`} is shown`,
-          ]
-        : []),
-      ...(localizers > 0
-        ? [
-            `${count(localizers, 'picture')} that only show${localizers > 1 ? '' : 's'} where the slices lie (LOCALIZER)`,
-          ]
-        : []),
-    ],
+    left: [...chosen.left, ...elsewhere],
+    ...(phases ? { phases: { ...phases, left: [...phases.left, ...elsewhere] } } : {}),
   };
 }
 
@@ -138,17 +142,24 @@ function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
   const most = Math.max(...places.map((at) => at.length));
   if (most === 1) return { frames: places.flat(), left: [] };
   const names: string[] = [];
+  let phases: ChosenFrames['phases'];
   for (const name of new Set(group.flatMap(({ traits }) => [...traits.keys()]))) {
     if (places.every((at) => at.length === 1)) break;
     if (!places.some((at) => new Set(at.map(({ traits }) => traits.get(name))).size > 1)) continue;
+    const found = phases ? null : findPhases(places, name);
+    if (found) phases = { ...found, left: names.length > 0 ? [describeOne(most, names)] : [] };
     names.push(name);
     places = takeByTrait(places, name);
   }
   const left =
     names.length > 0
-      ? `up to ${most} pictures at each place, which differ in: ${names.join(', ')}. One of them is shown`
+      ? describeOne(most, names)
       : 'pictures at the place of another one, from which they do not differ by what they say';
-  return { frames: places.map(([frame]) => frame), left: [left] };
+  return { frames: places.map(([frame]) => frame), left: [left], phases };
+}
+
+function describeOne(most: number, names: readonly string[]): string {
+  return `up to ${most} pictures at each place, which differ in: ${names.join(', ')}. One of them is shown`;
 }
 
 /**

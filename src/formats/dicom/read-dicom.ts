@@ -6,15 +6,18 @@ import type { FormatReader, ReadContext } from '../base/format.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
+import type { SeriesInfo } from '../base/scan-data.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { chooseFirst, coarsenGrid, cutCoarsePart } from './coarse-part.ts';
 import { lostColors } from './colors.ts';
+import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
 import type { Gathered } from './gather-samples.ts';
 import { modalityOf } from './modality.ts';
 import { chooseFrames } from './group-frames.ts';
 import type { ChosenFrames } from './group-frames.ts';
 import { describeSeries } from './describe-series.ts';
+import { joinPhases } from './join-phases.ts';
 import { nameAll, readFrames } from './read-frames.ts';
 import { stackFrames } from './stack-frames.ts';
 import { tags } from './tags.ts';
@@ -33,9 +36,13 @@ export const readDicom: FormatReader = async (input, settings, context) => {
       return placeVolume(await readSegmentation(segmentation, context), settings);
     }
     const chosen = chooseFrames(frames, context.budget, settings.series);
-    expectFiles(chosen, context);
+    const phases = settings.scan && !context.isPart ? chosen.phases : undefined;
+    expectFiles(phases ? phases.frames.flat() : chosen.frames, context);
     const series = chosen.series.length > 1 ? await describeSeries(chosen, context) : undefined;
-    const volume = await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, settings, context);
+    const scans =
+      phases && (await joinPhases({ ...phases, left: [...left, ...phases.left] }, settings, context, describeFiles));
+    const volume =
+      scans ?? (await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, settings, context));
     return { ...volume, series };
   } catch (cause) {
     // The usual words for such an error have the name of the file.
@@ -44,7 +51,7 @@ export const readDicom: FormatReader = async (input, settings, context) => {
   }
 };
 
-function expectFiles({ frames }: ChosenFrames, { folder }: ReadContext): void {
+function expectFiles(frames: readonly Frame[], { folder }: ReadContext): void {
   folder?.expect(frames.map(({ picture }) => picture.url).filter((url) => url !== null));
 }
 
@@ -76,7 +83,7 @@ async function joinFrames(
 
 /** The numbers as samples, and what their files say of them. */
 async function describeVolume(
-  { frames, left }: ChosenFrames,
+  files: ChosenFrames,
   anatomical: boolean,
   { type, numbers, slope, intercept, grid }: Omit<Gathered, 'left'> & { readonly grid: CartesianGrid },
   { budget }: ReadContext,
@@ -87,8 +94,20 @@ async function describeVolume(
     budget,
     chooseWhole: await wholeNumbersOf(numberTypes[type]),
   });
-  const [{ unit, picture }] = frames;
   const isAsStored = slope === 1 && intercept === 0;
+  return {
+    ...describeFiles(files, anatomical, grid),
+    samples: stored.samples,
+    slope: slope * stored.scale,
+    intercept: slope * stored.offset + intercept,
+    ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
+    unkept: stored.unkept,
+  };
+}
+
+/** What files say of their numbers, and where these lie. */
+function describeFiles({ frames, left }: ChosenFrames, anatomical: boolean, grid: CartesianGrid): SeriesInfo {
+  const [{ unit, picture }] = frames;
   const isBurnedIn = frames.some((frame) => frame.picture.set.text(tags.burnedIn).toUpperCase() === 'YES');
   const window = frames[frames.length >> 1].window ?? frames.find((frame) => frame.window)?.window;
   const all = [
@@ -104,11 +123,6 @@ async function describeVolume(
   return {
     grid,
     anatomical,
-    samples: stored.samples,
-    slope: slope * stored.scale,
-    intercept: slope * stored.offset + intercept,
-    ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
-    unkept: stored.unkept,
     unit,
     format: ['DICOM', modality].filter(Boolean).join(', '),
     ...(all.length > 0 ? { left: all } : {}),

@@ -1,0 +1,61 @@
+// Series in which each place was measured several times: phases of a heart, or a contrast agent on its way.
+import { timeText } from '../series/scan-times.ts';
+import type { Frame } from './frame.ts';
+
+/** Several times of a volume. */
+export interface Phases {
+  /** Of each time its frames, at the same places in the same order. */
+  readonly frames: readonly (readonly Frame[])[];
+  /** When each was measured, from the first on: '12.5 s'; null where the files do not say it. */
+  readonly times: readonly (string | null)[];
+}
+
+/** The names of what differs between times, and how their numbers become seconds; null where they only count. */
+const timeTraits: ReadonlyMap<string, ((value: number) => number) | null> = new Map([
+  ['trigger time', (milliseconds: number) => milliseconds / 1e3],
+  ['time of the acquisition', secondsOfDay],
+  ['position in time', null],
+  ['number of the acquisition', null],
+]);
+
+/** A time of the day as DICOM writes it, 101530.25, which is read as a number. */
+function secondsOfDay(value: number): number {
+  return 3600 * Math.floor(value / 1e4) + 60 * (Math.floor(value / 100) % 100) + (value % 100);
+}
+
+/**
+ * The frames of each time, where a trait of theirs is one of time.
+ * @param places - of each place its frames
+ * @returns null for other traits, and where places do not have as many frames of different times
+ */
+export function findPhases(places: readonly (readonly Frame[])[], trait: string): Phases | null {
+  const count = places[0].length;
+  if (!timeTraits.has(trait) || count < 2) return null;
+  const sorted: (readonly Frame[])[] = [];
+  for (const at of places) {
+    const values = new Set(at.map((frame) => numberOf(frame, trait)));
+    if (at.length !== count || values.size !== count || values.has(undefined)) return null;
+    const frames = [...at];
+    frames.sort((a, b) => numberOf(a, trait)! - numberOf(b, trait)!);
+    sorted.push(frames);
+  }
+  const frames = Array.from({ length: count }, (_, phase) => sorted.map((at) => at[phase]));
+  return { frames, times: findTimes(frames) };
+}
+
+const numberOf = ({ traits }: Frame, trait: string): number | undefined => {
+  const value = traits.get(trait);
+  return typeof value === 'number' ? value : undefined;
+};
+
+/** Seconds from the first time on. The slices of one time may be measured one after another: the earliest of them counts. */
+function findTimes(phases: readonly (readonly Frame[])[]): (string | null)[] {
+  for (const [trait, toSeconds] of timeTraits) {
+    if (!toSeconds) continue;
+    const starts = phases.map((frames) => Math.min(...frames.map((frame) => toSeconds(numberOf(frame, trait) ?? NaN))));
+    if (starts.every((start, i) => Number.isFinite(start) && (i === 0 || start > starts[i - 1])))
+      // Times of the day are rounded to microseconds.
+      return starts.map((start) => timeText(Math.round(1e6 * (start - starts[0])) / 1e6, 's'));
+  }
+  return phases.map(() => null);
+}
