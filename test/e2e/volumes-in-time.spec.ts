@@ -4,7 +4,8 @@ import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
-import { expect, keptTest as test, open, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, keptTest as test, open, withElement } from './helpers/harness.ts';
+import { ctSlice, dicomBytes } from '../helpers/dicom-bytes.ts';
 import { expectShown } from './helpers/scans.ts';
 
 const functional = readFileSync(new URL('../../demos/data/functional.nii', import.meta.url));
@@ -93,4 +94,32 @@ test.describe('a NIfTI file of several times', () => {
     await open(page, `<volume-view src="/plain.nii" ${look} time="12 Hz" alt="Scans"></volume-view>`);
     await expect(page.getByText('time got "12 Hz"')).toBeVisible();
   });
+});
+
+test('a DICOM series of three times, chosen by a reader, is three scans with a curve', async ({ page }) => {
+  const mr = { Modality: 'MR', RescaleIntercept: undefined, RescaleSlope: undefined };
+  const files = [0, 1, 2].flatMap((k) =>
+    [0, 1, 2].map((t) =>
+      dicomBytes(ctSlice(5 * k, { ...mr, TriggerTime: String(50 * t) }, 100 + 100 * t + 10 * k)).toString(),
+    ),
+  );
+  await open(
+    page,
+    `<volume-view src="${fieldUrl}" ${look} alt="Scans"></volume-view><volume-timeline></volume-timeline><volume-readout curve></volume-readout>`,
+  );
+  await withElement(
+    page,
+    (element, given) => {
+      const all = given.map((text, i) => new File([Uint8Array.from(text.split(','), Number)], `${i}.dcm`));
+      element.files = all as never;
+    },
+    { argument: files },
+  );
+  await expect.poll(() => formatOf(page)).toBe('DICOM, MR, volume 1 of 3');
+  await expect(page.locator('volume-timeline')).toContainText('1 / 3');
+  expect(await withElement(page, (element) => element.volume!.range)).toEqual([100, 131]);
+  await withElement(page, (element) => element.setAttribute('time', '0.1 s'));
+  await expect.poll(() => formatOf(page)).toBe('DICOM, MR, volume 3 of 3');
+  await expect(page.locator('volume-timeline')).toContainText('3 / 3');
+  expect(await withElement(page, (element) => element.volume!.range)).toEqual([300, 331]);
 });
