@@ -1,5 +1,6 @@
 import type { Budget } from '../base/budget.ts';
 import { gunzip } from './gunzip.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 /**
  * Unpacks a gzip file as a whole, for readers that need all of it at once.
@@ -19,12 +20,7 @@ export async function gunzipAll(
     length += piece.length;
   }
   budget.take(length, what);
-  const all = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    all.set(piece, at);
-    at += piece.length;
-  }
+  const all = joinPieces(pieces);
   budget.giveBack(length);
   return all;
 }

@@ -8,6 +8,7 @@ import type { Picture, StoredType } from './picture.ts';
 import { unpackRle } from './rle.ts';
 import { unpackJ2k } from './unpack-j2k.ts';
 import { unpackJpeg, unpackJpegColors } from './unpack-jpeg.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 export type FrameNumbers =
   | Uint8Array
@@ -147,13 +148,7 @@ function joinFragments({ pixels: { fragments, offsets }, frames, what }: Picture
       return place >= start && place < end;
     });
   }
-  const joined = new Uint8Array(mine.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const piece of mine) {
-    joined.set(piece, at);
-    at += piece.length;
-  }
-  return joined;
+  return joinPieces(mine);
 }
 
 /** Bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */

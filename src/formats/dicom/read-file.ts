@@ -8,6 +8,7 @@ import type { Elements } from './read-elements.ts';
 import { tags } from './tags.ts';
 import { readSyntax } from './transfer-syntax.ts';
 import type { TransferSyntax } from './transfer-syntax.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 /** What is read of a file. */
 export interface DicomFile extends Elements {
@@ -53,12 +54,7 @@ function inflate(bytes: Uint8Array<ArrayBuffer>, start: number, budget: Budget, 
       throw corruptFile(what, `has packed data that ${cause.isCut ? 'end early' : 'are damaged'}; copy the file again`);
     throw cause;
   }
-  const all = new Uint8Array(size);
-  let at = 0;
-  for (const piece of pieces) {
-    all.set(piece, at);
-    at += piece.length;
-  }
+  const all = joinPieces(pieces);
   budget.giveBack(size);
   return all;
 }

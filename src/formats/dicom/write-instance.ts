@@ -1,5 +1,6 @@
 // Writes what a DICOMweb server says of an instance as a file, which is then read as every other file. Only elements that
 // are read are written. Source: DICOM PS3.18, annex F; PS3.5, 7.1 and A.4
+import { joinPieces } from '../base/join-pieces.ts';
 import { findTag, pixelTags, sequences } from './tags.ts';
 
 /** A set of elements, by their numbers in hexadecimal digits. */
@@ -61,7 +62,7 @@ export function writeInstance(
     ...writeSet(named, bulk, 0),
     ...(pixels ? writePixels(pixels) : []),
   ];
-  return join(pieces);
+  return joinPieces(pieces);
 }
 
 /** The addresses of elements that are read and stand elsewhere, except the pixels. */
@@ -189,14 +190,4 @@ function mark(number: number, length: number): Uint8Array<ArrayBuffer> {
   view.setUint16(2, number, true);
   view.setUint32(4, length, true);
   return new Uint8Array(view.buffer);
-}
-
-function join(pieces: Pieces): Uint8Array<ArrayBuffer> {
-  const all = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    all.set(piece, at);
-    at += piece.length;
-  }
-  return all;
 }

@@ -8,6 +8,7 @@ import { hostIsLittleEndian } from '../base/number-types.ts';
 import { corruptPng, readPngHeader, readPngParts } from './png-chunks.ts';
 import type { PngHeader, PngParts } from './png-chunks.ts';
 import { bytesPerRow, unpackRows } from './png-rows.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 const what = 'the PNG';
 
@@ -78,13 +79,7 @@ function joinPacked({ packed }: PngParts, budget: Budget): Uint8Array<ArrayBuffe
   if (packed.length === 1) return packed[0];
   const length = packed.reduce((sum, part) => sum + part.length, 0);
   budget.take(length, what);
-  const joined = new Uint8Array(length);
-  let at = 0;
-  for (const part of packed) {
-    joined.set(part, at);
-    at += part.length;
-  }
-  return joined;
+  return joinPieces(packed);
 }
 
 function toOneChannel(

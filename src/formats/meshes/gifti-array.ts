@@ -3,6 +3,7 @@ import { unzlib } from '../codecs/unzlib.ts';
 import { decodeBase64 } from './base64.ts';
 import { corrupt } from './mesh-limits.ts';
 import { TextScanner } from './text-scanner.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 /** One array of a GIfTI file, as the file has it. */
 export interface GiftiArray {
@@ -82,13 +83,7 @@ async function unpackSome(packed: Uint8Array<ArrayBuffer>, length: number): Prom
     sum += piece.length;
     if (sum >= length) break;
   }
-  const all = new Uint8Array(sum);
-  let at = 0;
-  for (const piece of pieces) {
-    all.set(piece, at);
-    at += piece.length;
-  }
-  return all;
+  return joinPieces(pieces);
 }
 
 /** From column-major to row-major order. */

@@ -13,6 +13,7 @@ import { splitRecords } from './nexrad-records.ts';
 import { makeNexradSweep } from './nexrad-sweep.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { refuseManySweeps } from './radar-limits.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 /** Maximum bytes that a gzip file may unpack to. */
 const maxBytes = 2 ** 30;
@@ -127,12 +128,7 @@ async function unpackGzip(
     cut = 'the gzip file ends early or is damaged';
   }
   budget.take(length, 'the gzip file');
-  const bytes = new Uint8Array(length);
-  let position = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, position);
-    position += piece.length;
-  }
+  const bytes = joinPieces(pieces);
   budget.giveBack(length);
   return cut === undefined ? { bytes } : { bytes, cut };
 }

@@ -18,6 +18,7 @@ import { decodePage, pageBytes } from './decode-page.ts';
 import { openTiff } from './open-tiff.ts';
 import type { TiffStack } from './open-tiff.ts';
 import { what } from './tiff-file.ts';
+import { joinPieces } from '../base/join-pieces.ts';
 
 /**
  * Reads the pages of a file as the slices of a volume; of several files of a stack, the pages of all of them. The first channel is shown.
@@ -126,12 +127,7 @@ function join(parts: readonly Uint8Array<ArrayBuffer>[], { budget }: ReadContext
   if (parts.length === 1) return parts[0];
   const length = parts.reduce((sum, part) => sum + part.length, 0);
   budget.take(length, 'the stack of TIFF files');
-  const all = new Uint8Array(length);
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
+  const all = joinPieces(parts);
   budget.giveBack(length);
   return all;
 }
