@@ -14,6 +14,12 @@ import type { NumberType } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
+import { countKept } from '../series/keep-volumes.ts';
+import { openSeries } from '../series/open-series.ts';
+import type { Series } from '../series/open-series.ts';
+import { areScans } from '../series/open-volumes.ts';
+import { timeAt } from '../series/scan-times.ts';
+import type { TimeSteps } from '../series/scan-times.ts';
 
 const what = 'the MINC file';
 
@@ -21,10 +27,11 @@ const what = 'the MINC file';
 const partElements = 2 ** 24;
 
 /**
- * Reads a MINC 2 file at its full resolution: of a series, the first volume. The axis that is fastest in the file is i.
+ * Reads a MINC 2 file at its full resolution; several times are scans. The axis that is fastest in the file is i.
  * Sources: "MINC 2.0 File Format Reference", en.wikibooks.org; nibabel 5.4, `minc1.py` and `minc2.py`
  */
-export const readMinc: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
+export const readMinc: FormatReader = async ({ bytes }, settings, context) => {
+  const { onProgress, budget } = context;
   onProgress(0, bytes.length);
   const minc = openHdf5(bytes, budget).group('minc-2.0');
   const folder = minc?.group('image')?.group('0');
@@ -35,11 +42,31 @@ export const readMinc: FormatReader = async ({ bytes }, settings, { onProgress, 
   const [nz, ny, nx] = image.shape.slice(-3);
   const dimensions: Vector3 = [nx, ny, nz];
   const type = readType(image);
-  countSampleBytes(what, dimensions, type);
-  const indexToWorld = readAffine(axes, names);
-  const numbers = readNumbers(image, { volumes, type, budget, count: nx * ny * nz });
+  const volumeBytes = countSampleBytes(what, dimensions, type);
+  const grid = cartesianGrid(dimensions, readAffine(axes, names));
   const scales = type.read.kind === 'floats' ? [] : readScales(folder, image, volumes);
-  const scaled = scaleNumbers(numbers, scales, { image, budget });
+  const isKept = countKept({ bytes: Math.max(volumeBytes, 4 * nx * ny * nz), count: volumes }, budget) === volumes;
+  if (areScans(volumes, type, settings, context) && isKept) {
+    const times = readSteps(axes);
+    const scans = keepTimes(image, { scales, volumes, type, budget });
+    onProgress(bytes.length, bytes.length);
+    return placeVolume(
+      await openSeries(
+        {
+          info: { grid, anatomical: true, unit: '', format: 'MINC 2' },
+          ...scans,
+          count: volumes,
+          littleEndian: hostIsLittleEndian,
+          timeOf: (index) => timeAt(index, times),
+        },
+        settings,
+        context,
+      ),
+      settings,
+    );
+  }
+  const numbers = readNumbers(image, { volumes, type, budget, count: nx * ny * nz });
+  const scaled = scaleNumbers(numbers, scales[0], { image, budget });
   const { slope, intercept } = scaled;
   const stored = storeSamples(
     new Uint8Array(scaled.numbers.buffer, scaled.numbers.byteOffset, scaled.numbers.byteLength),
@@ -50,7 +77,7 @@ export const readMinc: FormatReader = async ({ bytes }, settings, { onProgress, 
   onProgress(bytes.length, bytes.length);
   return placeVolume(
     {
-      grid: cartesianGrid(dimensions, indexToWorld),
+      grid,
       anatomical: true,
       samples: stored.samples,
       slope: slope * stored.scale,
@@ -124,8 +151,8 @@ function readValidRange(image: DataArray): [number, number] {
   return low < high && low >= all[0] && high <= all[1] ? [low, high] : all;
 }
 
-/** Scales of equal parts of the first volume, in their order: of the whole, of each slice, or of each row. */
-function readScales(folder: DataGroup, image: DataArray, volumes: number): Scale[] {
+/** Of each volume the scales of its equal parts, in their order: of the whole, of each slice, or of each row. */
+function readScales(folder: DataGroup, image: DataArray, volumes: number): Scale[][] {
   const [maxima, minima] = ['image-max', 'image-min'].map((name) => folder.array(name));
   if (!maxima || !minima) return [];
   const { shape } = maxima;
@@ -137,31 +164,79 @@ function readScales(folder: DataGroup, image: DataArray, volumes: number): Scale
     );
   const [high, low] = [readAll(maxima), readAll(minima)];
   const [from, to] = readValidRange(image);
-  const count = countElements(shape) / (image.shape.length > 3 && shape.length > 0 ? volumes : 1);
-  return Array.from({ length: count }, (_, i) => {
+  const isEach = image.shape.length > 3 && shape.length > 0;
+  const count = countElements(shape) / (isEach ? volumes : 1);
+  const scaleAt = (i: number): Scale => {
     const slope = (high[i] - low[i]) / (to - from);
     const intercept = low[i] - from * slope;
     if (!Number.isFinite(slope) || !Number.isFinite(intercept))
       throw corruptFile(what, `got image-max ${high[i]} and image-min ${low[i]}; expected finite numbers`);
     return { slope, intercept };
-  });
+  };
+  return Array.from({ length: volumes }, (_, volume) =>
+    Array.from({ length: count }, (_, i) => scaleAt((isEach ? volume * count : 0) + i)),
+  );
 }
 
-/** Scales numbers in place of storing them where the parts differ. Numbers outside of the valid range are moved to its ends, as nibabel does. */
+/** Whether all parts have one scale; a slope of 0 makes one value of all numbers. */
+const areOne = ([first, ...others]: readonly Scale[]): boolean =>
+  first.slope !== 0 && others.every(({ slope, intercept }) => slope === first.slope && intercept === first.intercept);
+
+interface TimesOfImage {
+  readonly scales: readonly (readonly Scale[])[];
+  readonly volumes: number;
+  readonly type: NumberType;
+  readonly budget: Budget;
+}
+
+/** The numbers of all volumes, kept by the browser: where the parts of one have several scales, all are floats. */
+function keepTimes(
+  image: DataArray,
+  { scales, volumes, type, budget }: TimesOfImage,
+): Pick<Series, 'volumes' | 'type' | 'scaleOf'> {
+  const isFloat = scales.some((parts) => !areOne(parts));
+  const kept = Array.from({ length: volumes }, (_, volume) => {
+    const numbers = image.readRows(volume, 1);
+    budget.take((isFloat ? 4 : type.bytesPerSample) * numbers.length, what);
+    const scaled = scaleNumbers(numbers, scales[volume], { image, budget: null, isFloat });
+    const { buffer, byteOffset, byteLength } = scaled.numbers;
+    return { ...scaled, blob: new Blob([new Uint8Array(buffer as ArrayBuffer, byteOffset, byteLength)]) };
+  });
+  return {
+    volumes: kept.map(({ blob }) => blob),
+    type: isFloat ? 'float32' : type.name,
+    scaleOf: (index) => ({ slope: kept[index].slope, intercept: kept[index].intercept }),
+  };
+}
+
+/** Times of the volumes; null where the file does not say them, or they are uneven. */
+function readSteps(axes: DataGroup): TimeSteps | null {
+  const attributes = axes.array('time')?.attributes ?? axes.group('time')?.attributes;
+  if (!attributes || textOf(attributes.get('spacing')) === 'irregular') return null;
+  const step = numberOf(attributes.get('step')) ?? NaN;
+  const first = numberOf(attributes.get('start')) ?? 0;
+  const unit = textOf(attributes.get('units'))?.trim() || 's';
+  const per = /^(ms|msec|milliseconds?)$/i.test(unit) ? 1e3 : /^s(ec(onds?)?)?$/i.test(unit) ? 1 : 0;
+  return per && step > 0 && Number.isFinite(first) ? { first: first / per, step: step / per, unit: 's' } : null;
+}
+
+/**
+ * Scales numbers in place of storing them where the parts differ. Numbers outside of the valid range are moved to its ends, as nibabel does.
+ * @param budget - null where the memory is taken already @param isFloat - whether the result has to be floats
+ */
 function scaleNumbers(
   numbers: Numbers,
-  scales: readonly Scale[],
-  { image, budget }: { image: DataArray; budget: Budget },
+  scales: readonly Scale[] | undefined,
+  { image, budget, isFloat = false }: { image: DataArray; budget: Budget | null; isFloat?: boolean },
 ): Scale & { readonly numbers: Numbers } {
-  if (scales.length === 0) return { numbers, slope: 1, intercept: 0 };
+  if (!scales) return { numbers, slope: 1, intercept: 0 };
   const [from, to] = readValidRange(image);
   const [{ slope, intercept }] = scales;
-  const isOne = scales.every((scale) => scale.slope === slope && scale.intercept === intercept) && slope !== 0;
-  if (isOne) {
+  if (areOne(scales) && !isFloat) {
     for (let i = 0; i < numbers.length; i++) numbers[i] = Math.min(to, Math.max(from, numbers[i]));
     return { numbers, slope, intercept };
   }
-  budget.take(4 * numbers.length, what);
+  budget?.take(4 * numbers.length, what);
   const values = new Float32Array(numbers.length);
   const part = numbers.length / scales.length;
   scales.forEach((scale, index) => {

@@ -27,6 +27,24 @@ const files: Readonly<Record<string, { readonly by: string; readonly volumes: Ex
         [21966.066666666666, 11166.0, 32767.0],
       ],
     },
+    'formats/minc-time.mnc': {
+      times: ['0 s', '2 s', '4 s'],
+      by: 'nibabel',
+      volumes: [
+        [45.32961013199054, -20, 110.65781643396659],
+        [61, -4.327992675669492, 126.32799267566949],
+        [76.67038986800948, 11.34218356603342, 142],
+      ],
+    },
+    'formats/minc-times-scaled.mnc': {
+      times: ['0 s', '2 s', '4 s'],
+      by: 'nibabel',
+      volumes: [
+        [39.329610131990535, -20, 98.65781643396659],
+        [43, -16.327992675669492, 102.32799267566949],
+        [46.67038986800946, -12.65781643396658, 106],
+      ],
+    },
     'formats/series.npy': {
       by: 'numpy',
       volumes: [
@@ -57,7 +75,8 @@ const files: Readonly<Record<string, { readonly by: string; readonly volumes: Ex
     },
   };
 
-const near = (value: number): number => 1e-8 * Math.max(1, Math.abs(value));
+/** Values of which each slice has a scale of its own are stored as float32. */
+const near = (value: number): number => 2e-7 * Math.max(1, Math.abs(value));
 
 async function expectVolumes(
   bytes: Uint8Array<ArrayBuffer>,
