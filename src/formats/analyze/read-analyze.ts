@@ -18,7 +18,8 @@ import { readVersion2 } from '../nifti/nifti-rare-headers.ts';
 const what = 'an Analyze or NIfTI volume';
 
 /**
- * Reads a header and the file of its samples; either of them may be given. Of a series, the first volume.
+ * Reads a header and the file of its samples; either of them may be given. Several volumes of NIfTI are scans; of Analyze the first one is
+ * read.
  * Sources: nifti1.h; nibabel 5.4, `analyze.py` and `spm2analyze.py`
  */
 export const readAnalyze: FormatReader = async (input, settings, context) => {
@@ -33,6 +34,8 @@ export const readAnalyze: FormatReader = async (input, settings, context) => {
       atMost: isPacked ? samples.length * maxDeflateRatio : samples.length,
       onProgress,
       budget,
+      // Volumes of Analyze would need the place and the scale that are found below.
+      ...(isNifti && { scans: [{ ...input, bytes: samples }, settings, context], head: headerBytes.slice() }),
     },
     header,
   );

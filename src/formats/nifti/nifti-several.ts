@@ -47,7 +47,7 @@ function listOmitted(numbers: number, type: NumberType): (string | null)[] {
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
 export async function openScans(
-  { scans, atMost, onProgress, budget }: NiftiSource,
+  { scans, head, atMost, onProgress, budget }: NiftiSource,
   header: NiftiHeader,
   { type, rescale, bytes }: VolumeNumbers,
 ): Promise<DecodedCartesianVolume | Pick<DecodedCartesianVolume, 'format' | 'left'>> {
@@ -67,7 +67,7 @@ export async function openScans(
           onProgress,
           budget,
         });
-  const steps = count === times ? await readSteps(header, kept.file) : null;
+  const steps = count === times ? await readSteps(header, head ? new Blob([head]) : kept.file) : null;
   const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return openSeries(
     {

@@ -8,4 +8,6 @@ export interface NiftiSource extends StreamSource {
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
   /** Set where several volumes may be opened as scans. */
   readonly scans?: readonly [input: DecodeInput, settings: DecodeSettings, context: ReadContext];
+  /** The header, where it is in a file of its own. */
+  readonly head?: Uint8Array<ArrayBuffer>;
 }

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { gzipSync } from 'fflate';
+import { VolumeViewError } from '../../../../src/core/errors.ts';
 import { Budget } from '../../../../src/formats/base/budget.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFile, valuesOf } from '../../../helpers/decode.ts';
@@ -80,6 +81,37 @@ describe('a NIfTI file of several times', () => {
         expect(volume.window).to.deep.equal(first.window);
       }
       expect(first.window![0]).to.be.closeTo(629.8262, 1e-3);
+    }
+  });
+
+  it('in two files is the same, whichever of them is given', async () => {
+    const bytes = await fetchFile('/demos/data/functional.nii');
+    const head = bytes.slice(0, 348);
+    head.set([0x6e, 0x69, 0x31], 344);
+    new DataView(head.buffer).setFloat32(108, 0, true);
+    new DataView(head.buffer).setFloat32(136, 1.5, true);
+    const files = new Map([
+      ['x.hdr', head],
+      ['x.img', bytes.slice(352)],
+      ['x.img.gz', gzipSync(bytes.subarray(352), { level: 1 }) as Uint8Array<ArrayBuffer>],
+    ]);
+    for (const [name, without] of [
+      ['x.hdr', 'x.img.gz'],
+      ['x.img', 'x.img.gz'],
+      ['x.hdr', 'x.img'],
+    ]) {
+      const { times, read, first } = await openScans(files.get(name)!.slice(), name, {
+        scan: { index: 19 },
+        fetchFile: async (url) => {
+          const other = new URL(url).pathname.slice(1);
+          const found = other === without ? undefined : files.get(other);
+          if (!found) throw new VolumeViewError('source/not-found', 'no such file');
+          return { bytes: found.slice(), url, contentType: '' };
+        },
+      });
+      expect(times.slice(0, 2)).to.deep.equal(['1.5 s', '3.5 s']);
+      expect(await digest(first)).to.equal(functional[19][0]);
+      expect(await digest(await read(7))).to.equal(functional[7][0]);
     }
   });
 
