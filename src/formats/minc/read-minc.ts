@@ -200,7 +200,7 @@ function keepTimes(
     budget.take((isFloat ? 4 : type.bytesPerSample) * numbers.length, what);
     const scaled = scaleNumbers(numbers, scales[volume], { image, budget: null, isFloat });
     const { buffer, byteOffset, byteLength } = scaled.numbers;
-    return { ...scaled, blob: new Blob([new Uint8Array(buffer as ArrayBuffer, byteOffset, byteLength)]) };
+    return { ...scaled, blob: new Blob([new Uint8Array(buffer, byteOffset, byteLength)]) };
   });
   return {
     volumes: kept.map(({ blob }) => blob),

@@ -93,7 +93,7 @@ describe('a NIfTI file of several times', () => {
     const files = new Map([
       ['x.hdr', head],
       ['x.img', bytes.slice(352)],
-      ['x.img.gz', gzipSync(bytes.subarray(352), { level: 1 }) as Uint8Array<ArrayBuffer>],
+      ['x.img.gz', gzipSync(bytes.subarray(352), { level: 1 })],
     ]);
     for (const [name, without] of [
       ['x.hdr', 'x.img.gz'],
