@@ -21,6 +21,7 @@ import { repeats as usualRepeats } from './knobs.mjs';
 import { writeSeries } from './synthetic-dicom.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
 import { watchMemory } from './watch-memory.mjs';
+import { watchTasks } from './watch-tasks.mjs';
 
 const slices = Number(process.env.SLICES ?? 600);
 const edge = Number(process.env.EDGE ?? 512);
@@ -30,15 +31,6 @@ const peers = (process.env.PEERS ?? 'dicom-parser,dcm2niix').split(',').filter(B
 
 /** Bytes of the samples. */
 const sampleBytes = 2 * edge * edge * slices;
-
-/** Runs in the page before all else: notes the longest task of its main thread. */
-function watchTasks() {
-  const noted = /** @type {any} */ (window);
-  noted.longestTask = 0;
-  new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) noted.longestTask = Math.max(noted.longestTask, duration);
-  }).observe({ type: 'longtask' });
-}
 
 /**
  * In the page: the chosen files in an element of ours.

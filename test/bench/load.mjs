@@ -6,17 +6,9 @@ import { readHeap } from './read-heap.mjs';
 import { makeNifti } from './synthetic-nifti.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
 import { watchMemory } from './watch-memory.mjs';
+import { watchTasks } from './watch-tasks.mjs';
 
 const pixels = 512;
-
-/** Runs in the page before all else: notes the longest task of its main thread. */
-function watchTasks() {
-  const noted = /** @type {any} */ (window);
-  noted.longestTask = 0;
-  new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) noted.longestTask = Math.max(noted.longestTask, duration);
-  }).observe({ type: 'longtask' });
-}
 
 /** @typedef {{ bytesIn: number, loaded: number, first: number, final: number, longestTask: number }} Load - ms since the element was put in, and the longest task */
 

@@ -75,13 +75,7 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
     );
   const numbers = readNumbers(set, pixels, what);
   return {
-    what,
-    set,
-    syntax,
-    pixels,
-    url: null,
-    ...readSize(set, what),
-    ...numbers,
+    ...pictureOf({ set, pixels, syntax }, what, numbers),
     isInverted: photometric === 'MONOCHROME1',
     colors,
     padding: colors ? null : readPadding(set, numbers),
@@ -96,17 +90,20 @@ export function readLabelPicture({ set, pixels, syntax }: DicomFile, what: strin
     ? { type: 'uint8', bitsAllocated: 1, bitsStored: 1, shift: 0, isSigned: false }
     : readNumbers(set, pixels, what);
   return {
-    what,
-    set,
-    syntax,
-    pixels,
-    url: null,
-    ...readSize(set, what),
-    ...numbers,
+    ...pictureOf({ set, pixels, syntax }, what, numbers),
     isInverted: false,
     colors: null,
     padding: isBits ? null : readPadding(set, numbers),
   };
+}
+
+/** What pictures of all kinds have. @throws {VolumeViewError} `format/corrupt` */
+function pictureOf(
+  { set, pixels, syntax }: Pick<DicomFile, 'set' | 'syntax'> & Pick<Picture, 'pixels'>,
+  what: string,
+  numbers: Numbers,
+): Omit<Picture, 'isInverted' | 'colors' | 'padding'> {
+  return { what, set, syntax, pixels, url: null, ...readSize(set, what), ...numbers };
 }
 
 /** @throws {VolumeViewError} `format/corrupt` */

@@ -5,7 +5,7 @@ import { listLeft } from '../base/list-left.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { countKept } from '../series/keep-volumes.ts';
 import { openSeries } from '../series/open-series.ts';
-import { unknown } from '../series/open-volumes.ts';
+import { noTimes } from '../series/open-volumes.ts';
 import type { VolumesOfFile } from '../series/open-volumes.ts';
 import { pickVolume } from './pick-volume.ts';
 
@@ -37,6 +37,6 @@ export async function openInArray(
     const own = all.subarray(start * bytesPerSample, (start + span) * bytesPerSample);
     return new Blob([pickVolume(own, bytesPerSample, dimensions, strides)]);
   });
-  const series = { ...unknown, ...rest, info: { ...info, ...listLeft(1, ...left) }, volumes, count: volumes.length };
+  const series = { ...noTimes, ...rest, info: { ...info, ...listLeft(1, ...left) }, volumes, count: volumes.length };
   return placeVolume(await openSeries({ ...series, type: type.name }, settings, context), settings);
 }

@@ -9,7 +9,7 @@ import { openSeries } from './open-series.ts';
 import type { Series } from './open-series.ts';
 import { scanTypes } from './scan-types.ts';
 
-/** What a reader says of the volumes of its file; what it does not say of times and scales is unknown, or 1 and 0. */
+/** What a reader says of the volumes of its file; times that it does not give are not known, and scales are 1 and 0. */
 export interface VolumesOfFile extends Pick<Series, 'littleEndian'>, Partial<Pick<Series, 'scaleOf' | 'timeOf'>> {
   readonly info: Omit<Series['info'], 'left'>;
   readonly type: NumberType;
@@ -18,7 +18,7 @@ export interface VolumesOfFile extends Pick<Series, 'littleEndian'>, Partial<Pic
 }
 
 /** Times and scales of volumes of which nothing is said. */
-export const unknown: Pick<Series, 'scaleOf' | 'timeOf'> = {
+export const noTimes: Pick<Series, 'scaleOf' | 'timeOf'> = {
   scaleOf: () => ({ slope: 1, intercept: 0 }),
   timeOf: () => null,
 };
@@ -53,7 +53,7 @@ export async function openVolumes(
   return placeVolume(
     await openSeries(
       {
-        ...unknown,
+        ...noTimes,
         ...rest,
         info: { ...info, ...listLeft(1, kept.left, ...left) },
         volumes: kept.volumes,
