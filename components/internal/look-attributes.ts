@@ -1,7 +1,7 @@
 import type { Appearance } from '../../src/editor/transfer-function-session.ts';
 import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
 import { PictureAttributes } from './picture-attributes.ts';
-import { number, pair, transferFunction } from './property-kinds.ts';
+import { number, pairOrText, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
 
 /** The properties that an editor changes. */
@@ -74,8 +74,14 @@ export class LookAttributes extends PictureAttributes {
    */
   @property({ attribute: 'transfer-function-2d' }) transferFunction2d!: string | null;
 
-  /** The range of data values, `low high`, that presets and percentages refer to; by default that of the histogram. */
-  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
+  /**
+   * The range of data values, `low high`, that presets and percentages refer to; by default that of the histogram. Of a DICOM file with
+   * windows also the name or the number of one of them, `lung` or `2`.
+   */
+  @property({ attribute: 'value-window', kind: pairOrText }) valueWindow!:
+    | readonly [low: number, high: number]
+    | string
+    | null;
 
   /**
    * The world length to which the opacity of a stop refers; by default 1 % of the longest edge of the volume, less where the volume is

@@ -69,6 +69,12 @@ export const vector = exactly<Vector3>(3);
 /** Two opposite corners of a box. */
 export const box = exactly<readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]>(6);
 
+/** Two numbers, or else a text. */
+export const pairOrText: Kind<readonly [number, number] | string | null> = {
+  read: (text) => pair.read(text) ?? text,
+  write: numbers.write,
+};
+
 /** Columns and rows, `10x10`. */
 export const size: Kind<readonly [columns: number, rows: number] | null> = {
   read: (text) => {

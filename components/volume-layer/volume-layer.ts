@@ -7,7 +7,7 @@ import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import { describeVolume } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import { AttachmentElement } from '../internal/attachment-element.ts';
-import { number, pair, transferFunction } from '../internal/property-kinds.ts';
+import { number, pairOrText, transferFunction } from '../internal/property-kinds.ts';
 import { property, writeSafely } from '../internal/reflecting-element.ts';
 
 /** The appearance of a layer: its stops, and the data values that presets and percentages refer to. */
@@ -43,7 +43,10 @@ export class VolumeLayer extends AttachmentElement<OverlayTarget> {
   }
 
   /** The range of data values, `low high`, that presets and percentages refer to. */
-  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+  @property({ attribute: 'value-window', kind: pairOrText }) valueWindow!:
+    | readonly [low: number, high: number]
+    | string
+    | null;
 
   /**
    * `mix`: both volumes are visible at a place, like two fogs. `color`: the shapes of the first volume in the colours of this one; the

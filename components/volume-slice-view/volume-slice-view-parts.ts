@@ -1,15 +1,17 @@
 // The parts drawn on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { scale } from '../../src/volume/matrix.ts';
+import { windowOfFile } from '../../src/panes/gray-levels.ts';
 import { joinPaneLabels } from '../../src/panes/join-pane-labels.ts';
 import type { PaneLabels } from '../../src/panes/pane-labels.ts';
 import type { SlicePane } from '../../src/panes/slice-pane.ts';
 import { roundLength } from '../../src/panes/pane-frame.ts';
 import { sideLetters, toPlane } from '../../src/panes/slice-plane.ts';
 import { nameInFile } from '../../src/volume/labels.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { ValueWindow, Volume } from '../../src/volume/volume.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Language } from '../../src/messages/language.ts';
@@ -61,22 +63,46 @@ export function describeValue(pane: SlicePane, { language, messages }: SliceLoca
 }
 
 /** The window as text: the meaning of `W 400  L 40`. */
-export function describeWindow(pane: SlicePane, { language, messages }: SliceLocale): string {
+export function describeWindow(pane: SlicePane, locale: SliceLocale): string {
+  const { language, messages } = locale;
   const [low, high] = pane.window;
   const { unit } = pane.sliced!.volume;
-  const [width, level] = [high - low, (low + high) / 2].map((value) => language.number(value, 3));
+  const [width, level] = writeWindow(pane, locale);
   const [black, white] = [low, high].map((value) => language.value(Number(value.toPrecision(3)), unit));
   return messages.windowWords({ width, level, black, white });
 }
 
+/** Width and level of the window: those that the file says, where it is one of the file's. */
+function writeWindow({ sliced, window: [low, high] }: SlicePane, { language }: SliceLocale): readonly [string, string] {
+  const { width, level } = windowOfFile([low, high], sliced!.volume) ?? { width: high - low, level: (low + high) / 2 };
+  return [language.number(width, 3), language.number(level, 3)];
+}
+
+/** A choice among the windows of the file, where it has several. */
+export function renderWindows(pane: SlicePane, { language, messages }: SliceLocale): unknown {
+  const { volume } = pane.sliced!;
+  const { windows = [] } = volume;
+  if (windows.length < 2 || pane.look!.colors) return nothing;
+  const chosen = windowOfFile(pane.window, volume);
+  const nameOf = ({ name }: ValueWindow, i: number): string =>
+    (messages.windowNames as Readonly<Record<string, string>>)[name] ?? messages.windowNumber(language.number(i + 1));
+  const choose = ({ target }: Event): void => {
+    const window = windows[(target as HTMLSelectElement).selectedIndex - (chosen ? 0 : 1)];
+    if (window) pane.showWindow([window.from, window.to]);
+  };
+  return html`<select part="windows" aria-label=${messages.windowChoice} title=${messages.windowChoice} @change=${choose}>
+    ${chosen ? nothing : html`<option selected>${messages.otherWindow}</option>`}
+    ${windows.map((window, i) => html`<option .selected=${live(window === chosen)}>${nameOf(window, i)}</option>`)}
+  </select>`;
+}
+
 export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
-  const { language, messages } = locale;
+  const { messages } = locale;
   const appearance = pane.look!;
-  const [low, high] = pane.window;
   const length = (value: number): string => writeLength(value, pane.sliced!.volume, locale);
   return html`
     <div class="text top left" part="place">${describePlace(pane, locale)}${appearance.thickness > 0 ? html`<br />${messages.slab[appearance.projection](length(appearance.thickness))}` : nothing}</div>
-    ${appearance.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    ${appearance.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(...writeWindow(pane, locale))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
     <div class="text bottom right" part="value"><span class="told">${describeValue(pane, locale)}</span></div>
   `;

@@ -92,6 +92,32 @@ const ownStyles = css`
     overflow: hidden;
   }
 
+  select {
+    position: absolute;
+    top: 26px;
+    right: 6px;
+    min-block-size: 26px;
+    max-inline-size: min(12em, 50%);
+    margin: 0;
+    padding: 1px 4px;
+    border: 1px solid rgb(255 255 255 / 0.4);
+    border-radius: 6px;
+    color: inherit;
+    color-scheme: dark;
+    background: rgb(13 16 22 / 0.75);
+    font: inherit;
+    text-overflow: ellipsis;
+  }
+
+  select:focus-visible {
+    outline: 3px solid var(--volume-view-focus-color, #7db4ff);
+  }
+
+  /* The sign for what is left out is below it. */
+  select ~ .notice {
+    --_notice-top: 56px;
+  }
+
   .side {
     position: absolute;
     padding: 4px 6px;
@@ -111,6 +137,11 @@ const ownStyles = css`
     .side {
       padding: 3px 4px;
       font-size: 10px;
+    }
+
+    select {
+      top: 20px;
+      font-size: 11px;
     }
 
     .bottom.left,

@@ -11,7 +11,7 @@ import { isPatient } from '../../src/volume/world-axes.ts';
 import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { english } from '../../src/messages/english-slices.ts';
 import { LocaleController } from '../../src/messages/locale-controller.ts';
-import { number, pair, vector } from '../internal/property-kinds.ts';
+import { number, vector, pairOrText } from '../internal/property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from '../internal/reflecting-element.ts';
 import { PaneTarget } from '../../src/viewer/attachments/pane-label-target.ts';
 import { hasNotices } from '../../src/viewer/model/file-notices.ts';
@@ -32,6 +32,7 @@ import {
   renderCrosshair,
   renderSides,
   renderTexts,
+  renderWindows,
   shareOf,
 } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceLocale } from './volume-slice-view-parts.ts';
@@ -59,6 +60,7 @@ export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
  * @csspart note-pin - the pin of a `<volume-note>` of its view
  * @csspart note - the name of a note
  * @csspart note-text - the text of a note that opens
+ * @csspart windows - the choice among the windows of a DICOM file with several
  * @csspart slider - moves through the slices
  * @csspart hint - the text where there is no volume
  * @csspart notice-sign - the sign that a part of the file of `src` is not in the picture, or is shown differently
@@ -110,10 +112,13 @@ export class VolumeSliceView extends ReflectingElement {
   @property() projection!: string | null;
 
   /**
-   * Data values of black and white, `low high`. By default those of the `<volume-view>`, the window for soft tissue of a CT, or a window
-   * that suits the values.
+   * Data values of black and white, `low high`; or the name or the number of a window of a DICOM file, `lung` or `2`. By default those of
+   * the `<volume-view>`, the window for soft tissue of a CT, or a window that suits the values.
    */
-  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+  @property({ attribute: 'value-window', kind: pairOrText }) valueWindow!:
+    | readonly [low: number, high: number]
+    | string
+    | null;
 
   /**
    * `linear-exact`, or `linear`: DICOM's two ways to read a window, which differ by half a value.
@@ -277,6 +282,7 @@ export class VolumeSliceView extends ReflectingElement {
         ${sliced && appearance ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, locale)}` : nothing}
       </div>
       ${sliced && appearance ? this.#renderSlider(sliced, slice[appearance.type], describePlace(pane, locale)) : nothing}
+      ${sliced && appearance ? renderWindows(pane, locale) : nothing}
       ${sliced ? this.#notices.render() : nothing}
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.messages)}</p>`}

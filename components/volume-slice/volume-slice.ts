@@ -1,6 +1,6 @@
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { reportIfLost } from '../internal/lost-element.ts';
-import { number, pair, vector } from '../internal/property-kinds.ts';
+import { number, pair, pairOrText, vector } from '../internal/property-kinds.ts';
 import { property, ReflectingElement } from '../internal/reflecting-element.ts';
 
 /**
@@ -59,10 +59,13 @@ export class VolumeSlice extends ReflectingElement {
   @property() projection!: string | null;
 
   /**
-   * Of a plane: data values of black and white, `low high`. By default those of the `<volume-view>`, the window for soft tissue of a CT, or
+   * Of a plane: data values of black and white, `low high`, or the name or the number of a window of a DICOM file, `lung` or `2`. By default those of the `<volume-view>`, the window for soft tissue of a CT, or
    * a window that suits the values.
    */
-  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+  @property({ attribute: 'value-window', kind: pairOrText }) valueWindow!:
+    | readonly [low: number, high: number]
+    | string
+    | null;
 
   /**
    * Of a plane: `linear-exact`, or `linear`, DICOM's two ways to read a window.

@@ -145,6 +145,25 @@ export interface ControlMessages {
   readonly helpLines: readonly (readonly [what: string, how: string])[];
 }
 
+/** What a window of a file is for. */
+export type WindowName =
+  | 'abdomen'
+  | 'bone'
+  | 'brain'
+  | 'chest'
+  | 'head'
+  | 'liver'
+  | 'lung'
+  | 'mediastinum'
+  | 'neck'
+  | 'pelvis'
+  | 'soft tissue'
+  | 'spine'
+  | 'vessels'
+  | 'normal'
+  | 'harder'
+  | 'softer';
+
 /** The messages of panes with slices. */
 export interface SliceMessages {
   readonly slice: Readonly<Record<'axial' | 'coronal' | 'sagittal' | 'oblique', string>>;
@@ -162,6 +181,13 @@ export interface SliceMessages {
     readonly black: string;
     readonly white: string;
   }) => string;
+  /** The choice among the windows of the file. */
+  readonly windowChoice: string;
+  readonly windowNames: Readonly<Record<WindowName, string>>;
+  /** A window without a name that is known. */
+  readonly windowNumber: (number: string) => string;
+  /** A window that is none of the file's. */
+  readonly otherWindow: string;
   /** Help for the keys. */
   readonly sliceKeys: string;
   /** The crosshair is outside the volume. */

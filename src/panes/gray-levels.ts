@@ -1,3 +1,5 @@
+import type { ValueWindow, Volume } from '../volume/volume.ts';
+
 /** How values become grey. */
 export interface GrayLevels {
   /** Data values of black and white. */
@@ -23,6 +25,23 @@ export function grayRange({
   const [center, width] = [(low + high) / 2, high - low];
   const half = Math.max(0, width - 1) / 2;
   return [center - 0.5 - half, center - 0.5 + half];
+}
+
+/** Of a window of the file the ends are black and white themselves: what its own function leaves out is out already. */
+export function grayLevels(
+  window: GrayLevels['window'],
+  windowFunction: WindowFunction,
+  volume: Pick<Volume, 'windows'>,
+): GrayLevels {
+  return { window, windowFunction: windowOfFile(window, volume) ? 'linear-exact' : windowFunction };
+}
+
+/** The window of the file that has these ends; undefined where none has. */
+export function windowOfFile(
+  [low, high]: GrayLevels['window'],
+  { windows }: Pick<Volume, 'windows'>,
+): ValueWindow | undefined {
+  return windows?.find(({ from, to }) => from === low && to === high);
 }
 
 /** The window of a centre and a width. */

@@ -2,6 +2,7 @@ import type { ProjectionKind } from '../optics/rays/ray-style.ts';
 import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Crosshair } from './crosshair.ts';
+import { grayLevels } from './gray-levels.ts';
 import type { WindowFunction } from './gray-levels.ts';
 import { colorPainter, grayPainter } from './paint-slice.ts';
 import { fitFrame, pixelsOf, placeAt, pointAt, zoomFrame } from './pane-frame.ts';
@@ -135,7 +136,7 @@ export class SlicePane {
       labels: this.labels,
       painter: appearance.colors
         ? colorPainter(appearance.colors, volume, volume.isDiscrete === true)
-        : grayPainter({ window: this.window, windowFunction: appearance.windowFunction }, volume),
+        : grayPainter(grayLevels(this.window, appearance.windowFunction, volume), volume),
     });
   }
 
@@ -226,6 +227,11 @@ export class SlicePane {
     const wide = clamp(width * Math.exp(x / 150), 1e-30, 1e30);
     const middle = center + (y * width) / 250;
     if (Number.isFinite(middle)) this.#crosshair.setWindow(this.#sliced.volume, [middle - wide / 2, middle + wide / 2]);
+  }
+
+  /** Shows values from black to white in all panes of the volume. */
+  showWindow(window: readonly [number, number]): void {
+    if (this.#sliced) this.#crosshair.setWindow(this.#sliced.volume, window);
   }
 
   #keepInside(d: number): number {

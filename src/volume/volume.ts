@@ -105,9 +105,25 @@ export interface Provenance {
   readonly coarse?: true;
 }
 
+/** A window that a file has for its values, as DICOM files of CT and MRI do. */
+export interface ValueWindow {
+  /** What it is for, in lower case, where that is one of a few well-known words: 'lung', 'bone', 'brain'; else 'Window 2'. */
+  readonly name: string;
+  /** The value that is black, with all below it. */
+  readonly from: number;
+  /** The value that is white, with all above it. */
+  readonly to: number;
+  /** Its width, as the file says it: of whole numbers it may be larger by 1 than `to` less `from`. */
+  readonly width: number;
+  /** Its middle, as the file says it. */
+  readonly level: number;
+}
+
 /** How a volume is shown: from its file or manifest, else suggested by its values. Attributes override these. */
 export interface OwnAppearance {
   readonly window?: readonly [number, number];
+  /** The windows of its file, the first of which is `window`, if that is not from elsewhere. */
+  readonly windows?: readonly ValueWindow[];
   readonly transferFunction?: string;
   readonly referenceLength?: number;
 }

@@ -40,7 +40,7 @@ async function drawSmall(
   frame: Frame,
   context: Pick<ReadContext, 'folder' | 'budget'>,
 ): Promise<SeriesInfo['picture']> {
-  const { columns, rows, slope, intercept, window, spacing } = frame;
+  const { columns, rows, slope, intercept, windows, spacing } = frame;
   if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
@@ -56,7 +56,8 @@ async function drawSmall(
     const [x, y] = [i % width, Math.floor(i / width)].map((at) => Math.floor((at + 0.5) / scale));
     return slope * numbers[Math.min(rows - 1, y) * columns + Math.min(columns - 1, x)] + intercept;
   });
-  const [low, high] = window ?? rangeOf(values);
+  const [window] = windows().windows;
+  const [low, high] = window ? [window.from, window.to] : rangeOf(values);
   const pixels = Uint8ClampedArray.from(values, (value) => (255 * (value - low)) / (high - low || 1));
   const [dx, dy] = spacing ?? [1, 1];
   const aspect = (columns * dx) / (rows * dy);

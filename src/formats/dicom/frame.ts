@@ -1,5 +1,6 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Picture } from './picture.ts';
+import type { FileWindows } from './windows.ts';
 
 /** A picture of a plane, or one of the tiles of a picture. */
 export interface Frame {
@@ -28,7 +29,8 @@ export interface Frame {
   readonly slope: number;
   readonly intercept: number;
   readonly unit: string;
-  readonly window: readonly [number, number] | null;
+  /** Of its values. They are read when they are asked for: files may have thousands of frames. */
+  readonly windows: () => FileWindows;
   /** What may differ between pictures of one plane. */
   readonly traits: ReadonlyMap<string, string | number>;
 }

@@ -8,6 +8,7 @@ import { findMosaic } from './siemens-mosaic.ts';
 import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
 import type { Tag } from './tags.ts';
+import { readWindows } from './windows.ts';
 
 /** The frames of a picture. */
 export function listFrames(picture: Picture): Frame[] {
@@ -123,30 +124,27 @@ function readValues(
   find: ReturnType<typeof finder>,
   modality: string,
   imageType: readonly string[],
-): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'window'> {
+): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'windows'> {
   const { set, isInverted, isSigned, bitsStored, colors } = picture;
-  if (colors) return { slope: 1, intercept: 0, unit: '', window: null };
+  if (colors) return { slope: 1, intercept: 0, unit: '', windows: () => ({ windows: [], left: [] }) };
   const rescale = find(sequences.pixelTransformation, tags.slope);
   const stated = readUnit(set, rescale, modality, imageType);
   const suv = modality === 'PT' && stated === 'Bq/ml' ? findSuvFactor(set) : null;
   const [unit, factor] = suv ? ['SUV', suv] : [stated, 1];
   const slope = factor * ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1);
   const intercept = factor * (rescale.number(tags.intercept) ?? 0);
-  const frameWindow = find(sequences.frameWindow, tags.windowCenter);
-  const [center, width] = [frameWindow.number(tags.windowCenter), frameWindow.number(tags.windowWidth)];
-  const window =
-    center !== undefined && width !== undefined && width > 0
-      ? ([factor * (center - width / 2), factor * (center + width / 2)] as const)
-      : null;
+  const windowsOf = (mirror: number | null): Frame['windows'] => {
+    const isNegative = isSigned || intercept < 0;
+    return () => readWindows(find(sequences.frameWindow, tags.windowCenter), set, { factor, mirror, isNegative });
+  };
   // Where values have a unit, white for the smallest one is only a way to show them.
-  if (!isInverted || unit !== '') return { slope, intercept, unit, window };
+  if (!isInverted || unit !== '') return { slope, intercept, unit, windows: windowsOf(null) };
   const turned = isSigned ? -1 : 2 ** bitsStored - 1;
-  const sum = slope * turned + 2 * intercept;
   return {
     slope: -slope,
     intercept: slope * turned + intercept,
     unit,
-    window: window && [sum - window[1], sum - window[0]],
+    windows: windowsOf(slope * turned + 2 * intercept),
   };
 }
 

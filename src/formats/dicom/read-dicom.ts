@@ -6,21 +6,18 @@ import type { FormatReader, ReadContext } from '../base/format.ts';
 import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
-import type { SeriesInfo } from '../base/scan-data.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { chooseFirst, coarsenGrid, cutCoarsePart } from './coarse-part.ts';
-import { lostColors } from './colors.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
 import type { Gathered } from './gather-samples.ts';
-import { modalityOf } from './modality.ts';
 import { chooseFrames } from './group-frames.ts';
 import type { ChosenFrames } from './group-frames.ts';
+import { describeFiles } from './describe-files.ts';
 import { describeSeries } from './describe-series.ts';
 import { joinPhases } from './join-phases.ts';
 import { nameAll, readFrames } from './read-frames.ts';
 import { stackFrames } from './stack-frames.ts';
-import { tags } from './tags.ts';
 
 /**
  * Reads the files of a DICOM series as one volume. Nothing of a file leaves this module but its values with their unit,
@@ -102,31 +99,5 @@ async function describeVolume(
     intercept: slope * stored.offset + intercept,
     ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
-  };
-}
-
-/** What files say of their numbers, and where these lie. */
-function describeFiles({ frames, left }: ChosenFrames, anatomical: boolean, grid: CartesianGrid): SeriesInfo {
-  const [{ unit, picture }] = frames;
-  const isBurnedIn = frames.some((frame) => frame.picture.set.text(tags.burnedIn).toUpperCase() === 'YES');
-  const window = frames[frames.length >> 1].window ?? frames.find((frame) => frame.window)?.window;
-  const all = [
-    ...(isBurnedIn
-      ? [
-          'WARNING: the file says that words are written into its pixels (BurnedInAnnotation), which may be a name: look before you show it to others',
-        ]
-      : []),
-    ...(picture.colors ? [lostColors] : []),
-    ...left,
-  ];
-  const modality = modalityOf(picture.set);
-  return {
-    grid,
-    anatomical,
-    unit,
-    format: ['DICOM', modality].filter(Boolean).join(', '),
-    ...(all.length > 0 ? { left: all } : {}),
-    ...(window ? { window } : {}),
-    isUptake: modality === 'PT',
   };
 }

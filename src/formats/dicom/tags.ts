@@ -72,10 +72,15 @@ export const tags = {
   intercept: tag(0x00281052, 'DS'),
   slope: tag(0x00281053, 'DS'),
   rescaleType: tag(0x00281054, 'LO'),
+  windowExplanation: tag(0x00281055, 'LO'),
+  windowFunction: tag(0x00281056, 'CS'),
   redDescriptor: tag(0x00281101, 'US'),
   redTable: tag(0x00281201, 'OW'),
   greenTable: tag(0x00281202, 'OW'),
   blueTable: tag(0x00281203, 'OW'),
+  tableDescriptor: tag(0x00283002, 'US'),
+  tableExplanation: tag(0x00283003, 'LO'),
+  tableData: tag(0x00283006, 'US'),
   siemensHeader: tag(0x00291010, 'OB'),
   units: tag(0x00541001, 'CS'),
   segmentationType: tag(0x00620001, 'CS'),
@@ -94,6 +99,7 @@ export const tags = {
 /** Sequences whose items are read. */
 export const sequences = {
   modalityTable: tag(0x00283000, 'SQ'),
+  windowTables: tag(0x00283010, 'SQ'),
   sharedGroups: tag(0x52009229, 'SQ'),
   frameGroups: tag(0x52009230, 'SQ'),
   echo: tag(0x00189114, 'SQ'),

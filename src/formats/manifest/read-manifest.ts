@@ -112,8 +112,9 @@ function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolum
     slope: slope * volume.slope,
     intercept: slope * volume.intercept + intercept,
     unit: unit ?? volume.unit,
-    // A file's own window is in its own values.
+    // A file's own windows are in its own values.
     window: window ?? (isRescaled ? undefined : volume.window),
+    windows: isRescaled ? undefined : volume.windows,
     transferFunction,
     title,
     credit,

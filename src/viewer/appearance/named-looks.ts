@@ -8,8 +8,13 @@ import { litLook, scanKindOf } from './default-look.ts';
 
 /** The settings behind a name. Stops and factor belong together: where an author writes stops, the factor is not used. */
 type NamedLook = Partial<
-  Pick<AppearanceSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>
+  Pick<ResolvedSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>
 >;
+
+/** Settings whose window is in numbers. */
+export type ResolvedSettings = Omit<AppearanceSettings, 'window'> & {
+  readonly window: readonly [number, number] | null;
+};
 
 /**
  * What the values mean, as far as an appearance depends on it. `intensity`: values without a known scale, as in MRI. `scale`: each
@@ -61,8 +66,7 @@ const bone: NamedLook = { transferFunction: 'ct-bone', ...litLook('ct') };
  * The author's settings, completed by those of the named appearance.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function applyNamedLook(settings: AppearanceSettings, volume: ScanModel): AppearanceSettings {
-  const text = settings.named!;
+export function applyNamedLook(settings: ResolvedSettings, text: string, volume: ScanModel): ResolvedSettings {
   const kind = kindOf(volume);
   const word = text.trim().toLowerCase();
   const known: readonly string[] = words[kind];

@@ -4,6 +4,7 @@ import type { OverlayBlend } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Volume } from '../../volume/volume.ts';
+import { findWindow } from './find-window.ts';
 import { parseFactor, parseWindow, parseWord } from '../model/parse-attributes.ts';
 
 /** What an author says of a layer's appearance: texts as the HTML has them, null where absent. */
@@ -42,7 +43,8 @@ export async function resolveOverlayAppearance(
     );
   }
   const suggested = volume.transferFunction === 'diverging' ? bothSigns : (volume.transferFunction ?? glow);
-  const window = valueWindow === null ? (volume.window ?? volume.range) : parseWindow(valueWindow);
+  const window =
+    (valueWindow === null ? null : findWindow(parseWindow(valueWindow), volume)) ?? volume.window ?? volume.range;
   return {
     transferFunction: await resolveTransferFunction(transferFunction ?? suggested, window),
     window,

@@ -25,10 +25,11 @@ export async function suggestedOf({
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
 export async function resolveAppearance(said: AppearanceSettings, volume: ScanModel): Promise<VolumeOptics> {
+  const { named, window: given } = said;
   const appearance =
-    said.named === null
-      ? said
-      : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
+    named === null && typeof given !== 'string'
+      ? { ...said, window: given }
+      : (await loadPart(import('./apply-names.ts'), 'reads looks')).applyNames(said, volume);
   const [low, high] = appearance.window ?? volume.window ?? volume.range;
   const ends = [low, high].map((end) => Math.min(largestWindow, Math.max(-largestWindow, end)));
   const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);

@@ -9,6 +9,8 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { parseFactor } from '../model/parse-attributes.ts';
+import type { WindowSetting } from '../model/parse-attributes.ts';
+import { findWindow } from '../appearance/find-window.ts';
 import { suggestedOf } from '../appearance/resolve-appearance.ts';
 import { parsePlace, SliceReader } from '../cuts/slice-attributes.ts';
 import type { PlaneAttributes } from '../cuts/slice-attributes.ts';
@@ -41,7 +43,7 @@ export function readSliceAttributes(text: (name: string) => string | null): Slic
 export interface SharedAppearance {
   readonly optics: VolumeOptics | null;
   /** The window that the page gives the <volume-view>. */
-  readonly window: readonly [number, number] | null;
+  readonly window: WindowSetting | null;
 }
 
 /**
@@ -58,7 +60,7 @@ export async function resolveSliceAppearance(
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     ...attributes,
-    window: window ?? shared?.window ?? suitingWindow(volume),
+    window: findWindow(window ?? shared?.window ?? null, volume) ?? suitingWindow(volume),
     colors: isColored
       ? (shared?.optics?.transferFunction ??
         own ??

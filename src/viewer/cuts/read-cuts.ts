@@ -13,6 +13,7 @@ import { readRadarSlices } from './read-radar-slices.ts';
 import { readRegion } from './read-region.ts';
 import { placeOfRadar, readRings } from './read-rings.ts';
 import type { ScanModel } from '../model/scan-model.ts';
+import type { WindowSetting } from '../model/parse-attributes.ts';
 import type { Settings } from '../model/settings.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { Cuts } from './shown-cuts.ts';
@@ -109,7 +110,7 @@ export async function prepare(host: Element): Promise<void> {
 export function readSlices(
   host: Element,
   volume: Volume,
-  window: readonly [number, number] | null,
+  window: WindowSetting | null,
 ): { slices: readonly Slice[]; cuts: readonly RayCut[]; away?: WorldCut; error: VolumeViewError | null } {
   const shown = shownSlices(host);
   const { slices, error } = readRadarSlices(

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { PlaneSlab, PlaneSlice } from '../../optics/attachments/plane-slices.ts';
-import { grayRange } from '../../panes/gray-levels.ts';
+import { grayLevels, grayRange } from '../../panes/gray-levels.ts';
 import { planeOf } from '../../panes/slice-plane.ts';
 import { SlicedVolume } from '../../panes/slice-field.ts';
 import { suitingWindow, suitsColors } from '../../panes/suiting-window.ts';
@@ -10,6 +10,8 @@ import { corners } from '../../volume/grid.ts';
 import { scale, transformDirection } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
+import { findWindow } from '../appearance/find-window.ts';
+import type { WindowSetting } from '../model/parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
 import { SliceReader } from './slice-attributes.ts';
 
@@ -22,12 +24,8 @@ export interface ReadPlanes {
   readonly error: VolumeViewError | null;
 }
 
-/** @param window - data values of black and white that the page gives for the volume; null where it gives none */
-export function readPlanes(
-  elements: readonly Element[],
-  volume: Volume,
-  window: readonly [number, number] | null,
-): ReadPlanes {
+/** @param window - what the page gives for the volume; null where it gives none */
+export function readPlanes(elements: readonly Element[], volume: Volume, window: WindowSetting | null): ReadPlanes {
   const planes: PlaneSlice[] = [];
   let error: VolumeViewError | null = null;
   for (const element of elements.slice(0, maxPlanes)) {
@@ -46,7 +44,7 @@ export function readPlanes(
   return { cuts: planes.length > 0 ? [{ create: createPlanes, items: planes }] : [], error };
 }
 
-function readPlane(element: Element, volume: Volume, window: readonly [number, number] | null): PlaneSlice {
+function readPlane(element: Element, volume: Volume, shared: WindowSetting | null): PlaneSlice {
   const {
     type,
     normal: along,
@@ -54,7 +52,8 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
     colors,
     thickness,
     projection,
-    ...said
+    window: own,
+    windowFunction,
   } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
   const { grid } = volume;
   if (grid.kind === 'polar')
@@ -71,7 +70,9 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
     kind: 'plane',
     ...planeInCube(normal, middle, grid),
     slab: thick > 0 ? slabOf(normal, thick, { kind: projection, sliced }) : null,
-    window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
+    window: isColored
+      ? null
+      : grayRange(grayLevels(findWindow(own ?? shared, volume) ?? suitingWindow(volume), windowFunction, volume)),
   };
 }
 

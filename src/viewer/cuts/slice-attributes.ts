@@ -7,6 +7,7 @@ import type { ProjectionKind } from '../../optics/rays/ray-style.ts';
 import { longest } from '../../volume/grid-limits.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { invalid, isNumber, parseFactor, parseNumbers, parseWindow, parseWord } from '../model/parse-attributes.ts';
+import type { WindowSetting } from '../model/parse-attributes.ts';
 
 /** What attributes say about a plane through a volume, in a pane or in the picture. The volume determines what is null. */
 export interface PlaneAttributes {
@@ -15,7 +16,7 @@ export interface PlaneAttributes {
   /** World units along the normal. */
   readonly at: number | null;
   /** Data values of black and white. */
-  readonly window: readonly [number, number] | null;
+  readonly window: WindowSetting | null;
   readonly windowFunction: WindowFunction;
   readonly colors: 'gray' | 'volume' | null;
   /** World units; 0 for only the values on the plane. */

@@ -50,7 +50,10 @@ export async function checkAttribute(
     return { aspect: 'slices', error };
   }
   try {
-    await resolveAppearance({ ...plainAppearance, ...settings.look.value }, volume ?? anyVolume);
+    const look = { ...plainAppearance, ...settings.look.value };
+    // Which windows a file has is known when it is there.
+    const window = !volume && typeof look.window === 'string' ? null : look.window;
+    await resolveAppearance({ ...look, window }, volume ?? anyVolume);
     return null;
   } catch (error) {
     return { aspect: 'optics', error };

@@ -45,8 +45,12 @@ export function parseWord<const Word extends string>(name: string, text: string,
   return word;
 }
 
-/** `low high`, the lower value first. */
-export function parseWindow(text: string): [number, number] {
+/** Values of black and white; or the name, or the number, of a window of the file, as it is written. */
+export type WindowSetting = readonly [low: number, high: number] | string;
+
+/** `low high`, the lower value first, or else which window of the file. */
+export function parseWindow(text: string): WindowSetting {
+  if (/^\s*([a-z]|\d+\s*$)/i.test(text)) return text;
   const [low, high] = parseNumbers('value-window', text, 2);
   if (!(low < high && Math.max(-low, high) < largestValue))
     throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');

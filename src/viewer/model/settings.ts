@@ -8,7 +8,7 @@ import type { CameraAttributes, CameraLimits } from './camera-attributes.ts';
 import { pickSource } from './given-source.ts';
 import type { GivenSource, SourceName } from './given-source.ts';
 import * as parse from './parse-attributes.ts';
-import type { RingSetting } from './parse-attributes.ts';
+import type { RingSetting, WindowSetting } from './parse-attributes.ts';
 import { defaultTargets } from './quality-targets.ts';
 import type { QualityTargets } from './quality-targets.ts';
 
@@ -58,7 +58,7 @@ export interface AppearanceSettings {
   readonly named: string | null;
   /** A preset's name, or stops, as the author writes them. */
   readonly transferFunction: string | null;
-  readonly window: readonly [number, number] | null;
+  readonly window: WindowSetting | null;
   readonly referenceLength: number | null;
   /** null where the author gives none: then 1, unless `named` gives another factor. */
   readonly opacityFactor: number | null;

@@ -3,7 +3,7 @@ import type { Patch } from '../../optics/transfer/patches.ts';
 import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import type { Stop } from '../../optics/transfer/transfer-function.ts';
 import type { Histogram } from '../../volume/histogram.ts';
-import type { SeriesInfo, SourceInfo, Volume } from '../../volume/volume.ts';
+import type { SeriesInfo, SourceInfo, ValueWindow, Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 /** What a page can get of a loaded volume: everything except its samples. */
@@ -26,6 +26,11 @@ export interface VolumeInfo {
   readonly series?: readonly SeriesInfo[];
   /** Where it comes from, if from the reader's files or from an archive: their kind and number, and no name. */
   readonly source?: SourceInfo;
+  /**
+   * The windows of its file, where a DICOM file has some: what each is for, and its values of black and white. The attribute `value-window`
+   * takes the name or the number, from 1, of one of them.
+   */
+  readonly windows?: readonly ValueWindow[];
   /** The title of the volume, if its manifest has one. */
   readonly title?: string;
   /** Whether the world's axes are those of a patient, as its file says: x to the right, y to the front, z to the head. */
@@ -110,7 +115,8 @@ export function styleOf({
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { grid, unit, range, histogram, format, series, source, title, anatomical, credit, reduced, radar } = volume;
+  const { grid, unit, range, histogram, format, series, source, windows, title, anatomical, credit, reduced, radar } =
+    volume;
   const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
   const left = notices && [...notices, ...details];
@@ -124,6 +130,7 @@ export function describeVolume(volume: Volume): VolumeInfo {
     indexToWorld,
     series,
     source,
+    windows,
     title,
     anatomical,
     credit,

@@ -314,16 +314,26 @@ describe('a property', () => {
 
   it('is null where its attribute cannot be read, which is given as it stands', () => {
     const view = new TestView();
-    Object.assign(view, { steps: 'lots', spacing: [1, 2], valueWindow: '1 2 3', opacityFactor: NaN });
-    expect([view.steps, view.spacing, view.valueWindow, view.opacityFactor]).to.deep.equal([null, null, null, null]);
-    const { steps, spacing, valueWindow, opacityFactor, lightFactor } = view.given;
-    expect([steps, spacing, valueWindow, opacityFactor, lightFactor]).to.deep.equal([
-      'lots',
-      '1 2',
-      '1 2 3',
-      'NaN',
-      null,
-    ]);
+    Object.assign(view, { steps: 'lots', spacing: [1, 2], opacityFactor: NaN });
+    expect([view.steps, view.spacing, view.opacityFactor]).to.deep.equal([null, null, null]);
+    const { steps, spacing, opacityFactor, lightFactor } = view.given;
+    expect([steps, spacing, opacityFactor, lightFactor]).to.deep.equal(['lots', '1 2', 'NaN', null]);
+  });
+
+  it('of a window is two numbers, or the name or number of one, as its text', () => {
+    const view = new TestView();
+    for (const [set, got] of [
+      [
+        [-150, 250],
+        [-150, 250],
+      ],
+      ['lung', 'lung'],
+      [2, '2'],
+      [null, null],
+    ] as const) {
+      Object.assign(view, { valueWindow: set });
+      expect(view.valueWindow).to.deep.equal(got);
+    }
   });
 
   it('is an update each time that it is set, also to what cannot be read', async () => {

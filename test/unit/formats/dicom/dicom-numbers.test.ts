@@ -84,7 +84,7 @@ describe('values of DICOM files', () => {
 
   it('have the first window of the file', async () => {
     const { window } = await decodeFields([ctSlice(0, { WindowCenter: '40\\-600', WindowWidth: '400\\1500' })]);
-    expect(window).to.deep.equal([-160, 240]);
+    expect(window).to.deep.equal([-160, 239]);
   });
 
   it('of slices with other scales are brought to one', async () => {
@@ -112,7 +112,8 @@ describe('values of DICOM files', () => {
     const window = { WindowCenter: [105], WindowWidth: [10] };
     const volume = await decodeFields([ctSlice(0, { ...mr, ...window, BitsStored: [12], HighBit: [11] })]);
     expect(valuesOf(volume)).to.deep.equal(Array.from({ length: 12 }, (_, i) => 4095 - 100 - i));
-    expect(volume.window).to.deep.equal([4095 - 110, 4095 - 100]);
+    expect(volume.window).to.deep.equal([4095 - 109, 4095 - 100]);
+    expect(volume.windows).to.deep.equal([{ name: 'Window 1', from: 3986, to: 3995, width: 10, level: 4095 - 105 }]);
     const signed = pixelFields(Int16Array.from({ length: 12 }, (_, i) => i - 4));
     expect(await valuesOfSlices([ctSlice(0, { ...signed, ...mr })])).to.deep.equal(
       Array.from({ length: 12 }, (_, i) => -1 - (i - 4)),

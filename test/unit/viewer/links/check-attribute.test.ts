@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import type { VolumeViewError } from '../../../../src/core/errors.ts';
+import type { ScanModel } from '../../../../src/viewer/model/scan-model.ts';
 import { checkAttribute } from '../../../../src/viewer/links/check-attribute.ts';
 import { linkAttributes } from '../../../../src/viewer/links/link-attributes.ts';
 
@@ -28,6 +29,14 @@ const texts: Readonly<Record<string, readonly [good: string, bad: string]>> = {
 };
 
 describe('a text that a link gives to an attribute', () => {
+  it('may name a window, which the file has to have as soon as it is there', async () => {
+    expect(await checkAttribute('value-window', 'lung', null)).to.equal(null);
+    const windows = [{ name: 'lung', from: -1350, to: 149, width: 1500, level: -600 }];
+    const volume = { unit: 'HU', grid: { kind: 'cartesian' }, range: [0, 1], referenceLength: 1, windows };
+    expect(await checkAttribute('value-window', 'lung', volume as unknown as ScanModel)).to.equal(null);
+    expect((await checkAttribute('value-window', 'bone', volume as unknown as ScanModel))?.aspect).to.equal('optics');
+  });
+
   it('is known for all of them', () => {
     expect(Object.keys(texts)).to.have.members([...linkAttributes]);
   });

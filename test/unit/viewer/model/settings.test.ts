@@ -103,7 +103,16 @@ const cases: [
     ],
     ['0', 'fast', '-2'],
   ],
-  ['valueWindow', 'look', [['-150 250', { window: [-150, 250] }]], ['250 -150', '1', '5 5']],
+  [
+    'valueWindow',
+    'look',
+    [
+      ['-150 250', { window: [-150, 250] }],
+      ['lung', { window: 'lung' }],
+      ['2', { window: '2' }],
+    ],
+    ['250 -150', '-1', '5 5', '1 2 3', '1 lung', ''],
+  ],
   ['referenceLength', 'look', [['2.5', { referenceLength: 2.5 }]], ['0', 'long']],
   ['opacityFactor', 'look', [['0', { opacityFactor: 0 }]], ['-1', 'dense']],
   [
