@@ -71,18 +71,23 @@ export function readWindows(set: DataSet, file: DataSet, scale: WindowScale): Fi
   const stated = centers.map((center, i) => ({
     ...endsOf(center, widths[i], given !== 'LINEAR_EXACT' && given !== 'SIGMOID'),
     written: explanations[i] ?? '',
+    isTable: false,
   }));
   const tables = file.items(sequences.windowTables).map((table) => ({
     ...spanOf(table, scale.isNegative),
     written: table.text(tags.tableExplanation),
+    isTable: true,
   }));
-  const usable = [...stated, ...tables].filter(({ from, to }) => Number.isFinite(to - from) && to > from);
-  const windows = usable.slice(0, maxWindows).map(({ written, ...window }, i) => ({
+  const usable = [...stated, ...tables]
+    .map((one) => ({ ...one, ...scaleWindow(one, scale) }))
+    .filter(({ from, to, level }) => Number.isFinite(to - from) && Number.isFinite(level) && to > from);
+  const read = usable.slice(0, maxWindows);
+  const windows = read.map(({ written, isTable: _isTable, ...window }, i) => ({
     name: nameOf(written, i + 1),
-    ...scaleWindow(window, scale),
+    ...window,
   }));
-  const hasTables = usable.slice(0, maxWindows).length > stated.length;
-  const isCurve = given === 'SIGMOID' && stated.length > 0;
+  const hasTables = read.some(({ isTable }) => isTable);
+  const isCurve = given === 'SIGMOID' && !read.every(({ isTable }) => isTable);
   return {
     windows,
     left: [
