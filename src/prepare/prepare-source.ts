@@ -4,9 +4,14 @@ import { isPolar } from '../volume/volume.ts';
 import { decodeSource } from './decode-source.ts';
 import type { DecodeOptions, SourceVolume } from './decode-source.ts';
 import type { Source } from './find-sources.ts';
+import { drawPoster } from './draw-poster.ts';
+import { encodePoster } from './encode-poster.ts';
 import { encodePng } from './radar-mosaic.ts';
 import { maxMosaicEdge, phoneMosaicEdge, writeMosaic } from './write-mosaic.ts';
 import { writeRadar } from './write-radar.ts';
+
+/** Pixels of the picture of a volume, across and down. */
+const posterSize = 512;
 
 /** How volumes are written. */
 export interface PrepareOptions extends DecodeOptions {
@@ -38,6 +43,8 @@ export interface VolumeReport {
 export interface PreparedVolume {
   readonly number: number;
   readonly png: Uint8Array;
+  /** A picture of it, as PNG. */
+  readonly poster: Uint8Array;
   /** Without the name of the image. */
   readonly manifest: object;
   readonly report: VolumeReport;
@@ -89,6 +96,7 @@ async function prepareVolume(
     ...(volume.radar?.partial ? [volume.radar.partial] : []),
   ];
   const said = { format, unit, ...(time === null ? {} : { time }), ...(left.length > 0 ? { left } : {}) };
+  const poster = encodePoster(await drawPoster(volume, posterSize));
   if (isPolar(volume)) {
     const { image, manifest, rounding, rms } = await writeRadar(store, first, number - 1, moment);
     const png = encodePng(image);
@@ -101,6 +109,7 @@ async function prepareVolume(
     return {
       number,
       png,
+      poster,
       manifest,
       report: { ...said, dimensions, bits: bitsOf(image), bytes: png.length, error: { max: rounding, rms } },
     };
@@ -114,6 +123,7 @@ async function prepareVolume(
   return {
     number,
     png,
+    poster,
     manifest,
     report: {
       ...said,

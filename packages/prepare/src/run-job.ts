@@ -36,7 +36,7 @@ export async function runJob({ place, source, site, salt, options }: Job): Promi
 }
 
 async function writeVolume(
-  { png, manifest, report, number }: PreparedVolume,
+  { png, poster, manifest, report, number }: PreparedVolume,
   id: string,
   { source, site, options }: Pick<Job, 'place' | 'source' | 'site' | 'options'>,
 ): Promise<DoneLine> {
@@ -45,17 +45,16 @@ async function writeVolume(
   const title = number > 1 ? `${own}, ${number}` : own;
   const line: DoneLine = { status: 'done', id, title, page: `${id}/index.html`, ...report };
   const titled = { title, ...manifest };
-  const poster = null;
-  const files: Record<string, Uint8Array | string> = {};
+  const files: Record<string, Uint8Array | string> = { 'poster.png': poster };
   if (options.as === 'single-file') {
     const image = `data:image/png;base64,${Buffer.from(png.buffer, png.byteOffset, png.byteLength).toString('base64')}`;
     // In a URL only these signs of JSON have another meaning.
     const json = JSON.stringify({ image, ...titled }).replace(/[%#\s]/g, encodeURIComponent);
-    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, poster !== null);
+    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, true);
   } else {
     files['volume.png'] = png;
     files['volume.json'] = formatManifest({ image: 'volume.png', ...titled });
-    files['index.html'] = writeScanPage(line, 'volume.json', poster !== null);
+    files['index.html'] = writeScanPage(line, 'volume.json', true);
   }
   await writeFolder(site, id, files);
   return line;
