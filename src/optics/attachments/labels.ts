@@ -28,10 +28,12 @@ export function labelStages(labels: ShownLabels, projects: boolean): Pick<RaySta
  * Twin: shaders/chunks/attachments/labels.glsl
  */
 export function labelField({ map, styles }: ShownLabels, hides = false): SecondFieldStage {
-  const sampleAt = (place: Vector3, known: Sample): LabelledSample => {
+  const sampleAt = (place: Vector3, known: Sample): Sample => {
     const number = voteOfCorners(map.numbers, map.dimensions, place);
-    const found = { ...known, label: map.ids[number], style: styles[number] };
-    return hides && found.style.opacityFactor <= 0 ? { ...found, valid: false, value: NaN } : found;
+    const style = styles[number];
+    known.label = map.ids[number];
+    known.style = style;
+    return hides && style.opacityFactor <= 0 ? { ...known, valid: false, value: NaN } : known;
   };
   return Object.assign(sampleAt, { turnBetween: (from: Vector3, to: Vector3) => labelTurn(map, from, to) });
 }

@@ -90,7 +90,10 @@ export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
 
 /** Adds the layer's value to each sample. @param field - of the layer, by places of the volume's unit cube */
 export function overlayField(field: FieldStage): SecondFieldStage {
-  return (place, known): OverlaidSample => ({ ...known, overlay: field.sampleAt(place).value });
+  return (place, known) => {
+    known.overlay = field.sampleAt(place).value;
+    return known;
+  };
 }
 
 /**

@@ -10,16 +10,26 @@ import type { Vector3 } from '../../volume/matrix.ts';
  */
 export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): number {
   const [nx, ny, nz] = dimensions;
-  const [x, y, z] = [clampToCentres(p[0], nx), clampToCentres(p[1], ny), clampToCentres(p[2], nz)];
-  const [i, j, k] = [Math.floor(x), Math.floor(y), Math.floor(z)];
+  const x = clampToCentres(p[0], nx);
+  const y = clampToCentres(p[1], ny);
+  const z = clampToCentres(p[2], nz);
+  const i = Math.floor(x);
+  const j = Math.floor(y);
+  const k = Math.floor(z);
+  const first = i + nx * (j + ny * k);
+  // From a voxel to the next one along each axis; the last one has none.
+  const toRight = i + 1 < nx ? 1 : 0;
+  const toUp = j + 1 < ny ? nx : 0;
+  const toBack = k + 1 < nz ? nx * ny : 0;
   // Summed as differences from one of the voxels, so that a constant stays exact to the last digit: the transfer function may jump there.
   let base = NaN;
   let sum = 0;
   let weights = 0;
   for (let corner = 0; corner < 8; corner++) {
-    const [right, up, back] = [corner & 1, (corner >> 1) & 1, corner >> 2];
-    const value =
-      samples[Math.min(i + right, nx - 1) + nx * (Math.min(j + up, ny - 1) + ny * Math.min(k + back, nz - 1))];
+    const right = corner & 1;
+    const up = corner & 2;
+    const back = corner & 4;
+    const value = samples[first + (right ? toRight : 0) + (up ? toUp : 0) + (back ? toBack : 0)];
     if (!Number.isFinite(value)) continue;
     if (weights === 0) base = value;
     const weight = (right ? x - i : 1 - (x - i)) * (up ? y - j : 1 - (y - j)) * (back ? z - k : 1 - (z - k));

@@ -24,7 +24,10 @@ export interface LitScene {
 }
 
 /** Adds the place of each sample: the shading of a piece of a ray needs it at both ends. Twin: shaders/chunks/walk/points.glsl */
-export const pointField: SecondFieldStage = (place, known) => ({ ...known, point: place });
+export const pointField: SecondFieldStage = (place, known) => {
+  known.point = place;
+  return known;
+};
 
 /** The light at a place. @param toEye - of length 1, world */
 export type LightStage = (known: Sample, toEye: Vector3) => Shade;

@@ -8,7 +8,7 @@ export interface Sample {
   readonly value: number;
   readonly valid: boolean;
   /** What further field modules found at this place, by their own names. */
-  readonly [more: string]: unknown;
+  [more: string]: unknown;
 }
 
 /** The part of a ray that is drawn, in its t; empty if entry >= exit. Twin: shaders/chunks/walk/interval.glsl */
@@ -70,7 +70,10 @@ export interface FieldStage {
   kinksAlong?(from: Vector3, to: Vector3): readonly number[];
 }
 
-/** Adds more to the sample of a place. */
+/**
+ * Adds more to the sample of a place: to the sample itself, since a copy of each would take as long as all the rest. A field gives each place a sample of
+ * its own.
+ */
 export interface SecondFieldStage {
   (place: Vector3, known: Sample): Sample;
   /**
