@@ -141,10 +141,11 @@ function castSeen(stages: RayStages, rays: RaySetup, isSeen: SeenCells): (x: num
   const cut: RayStages = { ...stages, intervals: [one] };
   return (x, y) => {
     const ray = rayThrough(rays, x, y);
-    const { entry, exit } = stages.intervals.reduce(
-      (interval, stage) => stage(ray, interval),
-      { entry: stages.eyeT, exit: Infinity, behind: null } as ReturnType<IntervalStage>,
-    );
+    const { entry, exit } = stages.intervals.reduce((interval, stage) => stage(ray, interval), {
+      entry: stages.eyeT,
+      exit: Infinity,
+      behind: null,
+    } as ReturnType<IntervalStage>);
     const color: Premultiplied = [0, 0, 0, 0];
     const length = (stepsAtOnce * stages.step) / ray.lengthPerT;
     for (let from = entry; from < exit && color[3] < opaque; from += length) {

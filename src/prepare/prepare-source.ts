@@ -10,13 +10,12 @@ import { encodePng } from './radar-mosaic.ts';
 import { maxMosaicEdge, phoneMosaicEdge, writeMosaic } from './write-mosaic.ts';
 import { writeRadar } from './write-radar.ts';
 
-/** Pixels of the picture of a volume, across and down. */
-const posterSize = 512;
-
 /** How volumes are written. */
 export interface PrepareOptions extends DecodeOptions {
   /** For which devices a volume is made smaller. */
   readonly fit: 'desktop' | 'phone';
+  /** Pixels across and down of the picture of a volume; 0 for none. */
+  readonly poster: number;
 }
 
 /** What is said of a volume that was written: numbers and words of the program, nothing else of the file. */
@@ -43,8 +42,8 @@ export interface VolumeReport {
 export interface PreparedVolume {
   readonly number: number;
   readonly png: Uint8Array;
-  /** A picture of it, as PNG. */
-  readonly poster: Uint8Array;
+  /** A picture of it, as PNG; null if there is none. */
+  readonly poster: Uint8Array | null;
   /** Without the name of the image. */
   readonly manifest: object;
   readonly report: VolumeReport;
@@ -87,7 +86,7 @@ async function prepareVolume(
   store: ByteStore,
   { first }: Source,
   { number, volume, time }: SourceVolume,
-  { fit, moment }: PrepareOptions,
+  { fit, moment, poster: posterSize }: PrepareOptions,
 ): Promise<PreparedVolume> {
   const { format, unit } = volume;
   const left = [
@@ -96,7 +95,7 @@ async function prepareVolume(
     ...(volume.radar?.partial ? [volume.radar.partial] : []),
   ];
   const said = { format, unit, ...(time === null ? {} : { time }), ...(left.length > 0 ? { left } : {}) };
-  const poster = encodePoster(await drawPoster(volume, posterSize));
+  const poster = posterSize > 0 ? encodePoster(await drawPoster(volume, posterSize)) : null;
   if (isPolar(volume)) {
     const { image, manifest, rounding, rms } = await writeRadar(store, first, number - 1, moment);
     const png = encodePng(image);

@@ -81,7 +81,7 @@ export function compareVolumes(got: Volume, wanted: Volume, stated: number): num
 
 /** Prepares all volumes of a source, reads them again, and compares them with the original. Returns how many there are. */
 export async function roundTrip(store: ByteStore, source: Source): Promise<number> {
-  const options = { deviceBytes: 2 ** 32, fit: 'desktop' as const };
+  const options = { deviceBytes: 2 ** 32, fit: 'desktop' as const, poster: 0 };
   const originals = decodeSource(store, source, options);
   let count = 0;
   for await (const prepared of prepareSource(store, source, options)) {

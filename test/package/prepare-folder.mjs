@@ -128,7 +128,11 @@ await check('all volumes of a folder are made, a broken one is listed, and the e
     const [columns, rows] = manifest.mosaic.split('x').map(Number);
     assert.ok(png.width % columns === 0 && png.height % rows === 0);
     assert.equal(png.depth, line.bits);
+    const poster = decode(readFileSync(join(site, line.id, 'poster.png')));
+    assert.deepEqual([poster.width, poster.height, poster.channels], [256, 256, 4]);
+    assert.match(readFileSync(join(site, line.page), 'utf8'), / poster="poster.png"/);
   }
+  assert.equal(readFileSync(join(site, 'index.html'), 'utf8').split('<img src="').length - 1, done.length);
   const values = done.find(({ dimensions }) => dimensions.join('x') === '4x3x6');
   assert.deepEqual(values.error, { max: 0, rms: 0 });
   assert.equal(values.unit, 'HU');
@@ -182,7 +186,8 @@ await check('a second run writes nothing, and one after a file changed makes tha
 
 await check('pages for the disk hold their data', () => {
   const single = join(work, 'single');
-  run(single, '--as', 'single-file');
+  run(single, '--as', 'single-file', '--poster', '0');
+  assert.ok(![...listSite(single).keys()].some((name) => name.includes('poster')), 'no picture is wanted');
   for (const name of readdirSync(single).filter((one) => /^[0-9a-f]{16}/.test(one))) {
     assert.deepEqual(
       readdirSync(join(single, name)).filter((one) => one.startsWith('volume')),
@@ -207,9 +212,13 @@ await check('a small edge makes a large volume smaller, and says what is lost', 
     for (let y = 0; y < n; y++)
       for (let x = 0; x < n; x++) data[x + n * (y + n * z)] = 100 + 50 * Math.sin(x / 9) + 0.1 * y + 0.3 * z;
   writeFileSync(join(large, 'large.nrrd'), Buffer.concat([header, data]));
-  const { stdout } = spawnSync(process.execPath, [program, large, '--out', join(work, 'phone'), '--fit', 'phone'], {
-    encoding: 'utf8',
-  });
+  const { stdout } = spawnSync(
+    process.execPath,
+    [program, large, '--out', join(work, 'phone'), '--fit', 'phone', '--poster', '0'],
+    {
+      encoding: 'utf8',
+    },
+  );
   const line = JSON.parse(stdout);
   assert.deepEqual(line.from, [n, n, k]);
   // The values change most along the columns: these stay as they are.
@@ -241,7 +250,7 @@ await check(`ended at ${values.kills} moments it leaves no half folder, and the 
       if (!/^[0-9a-f]{16}/.test(name)) continue;
       // A web server is another user.
       if (process.platform !== 'win32') assert.equal(statSync(join(killed, name)).mode & 0o777, 0o755);
-      for (const file of ['index.html', 'volume.json', 'volume.png'])
+      for (const file of ['index.html', 'volume.json', 'volume.png', 'poster.png'])
         assert.ok(existsSync(join(killed, name, file)), name);
       const manifest = JSON.parse(readFileSync(join(killed, name, 'volume.json'), 'utf8'));
       decode(readFileSync(join(killed, name, manifest.image)));
@@ -267,6 +276,7 @@ await check('what can not be done is said in words', () => {
     [[folder, '--out', site, '--as', 'video'], /expected mosaic or single-file/],
     [[folder, '--out', site, '--fit', 'watch'], /expected phone/],
     [[folder, '--out', site, '--jobs', '0'], /whole number from 1/],
+    [[folder, '--out', site, '--poster', '9999'], /whole number from 0 to 1024/],
     [[folder, '--out', site, '--deface'], /pydeface.*mri_deface/],
     [[join(work, 'nothing'), '--out', site], /nothing/],
   ])) {

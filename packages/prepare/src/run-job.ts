@@ -45,16 +45,16 @@ async function writeVolume(
   const title = number > 1 ? `${own}, ${number}` : own;
   const line: DoneLine = { status: 'done', id, title, page: `${id}/index.html`, ...report };
   const titled = { title, ...manifest };
-  const files: Record<string, Uint8Array | string> = { 'poster.png': poster };
+  const files: Record<string, Uint8Array | string> = poster ? { 'poster.png': poster } : {};
   if (options.as === 'single-file') {
     const image = `data:image/png;base64,${Buffer.from(png.buffer, png.byteOffset, png.byteLength).toString('base64')}`;
     // In a URL only these signs of JSON have another meaning.
     const json = JSON.stringify({ image, ...titled }).replace(/[%#\s]/g, encodeURIComponent);
-    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, true);
+    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, poster !== null);
   } else {
     files['volume.png'] = png;
     files['volume.json'] = formatManifest({ image: 'volume.png', ...titled });
-    files['index.html'] = writeScanPage(line, 'volume.json', true);
+    files['index.html'] = writeScanPage(line, 'volume.json', poster !== null);
   }
   await writeFolder(site, id, files);
   return line;

@@ -47,7 +47,7 @@ export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boo
   const cards = lines.map(
     (
       line,
-    ) => `  <li><a href="${escape(line.page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" width="512" height="512" loading="lazy" alt="">` : ''}
+    ) => `  <li><a href="${escape(line.page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
     <strong>${escape(line.title)}</strong></a><br>${escape(describe(line))}</li>`,
   );
   return `${head(

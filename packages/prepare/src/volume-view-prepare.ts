@@ -15,11 +15,14 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
-volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--jobs N] [--timeout SECONDS]
+volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 
 /** Bytes that a volume may take while it is read: most of the memory, shared by all processes. */
 const shareOfMemory = 0.7;
+
+/** The largest picture of a volume, pixels across: it takes minutes. */
+const maxPoster = 1024;
 
 async function writeMosaic(path: string, moment: string | undefined, out: string | undefined): Promise<void> {
   const { png, manifest, rounding, partial } = await makeRadarMosaic(
@@ -56,6 +59,7 @@ interface SiteValues {
   readonly out?: string;
   readonly moment?: string;
   readonly fit: string;
+  readonly poster: string;
   readonly jobs?: string;
   readonly timeout: string;
   readonly 'keep-names': boolean;
@@ -66,6 +70,7 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   if (out === undefined) throw new Misuse('got a folder without --out; expected --out SITE, the folder to write');
   if (as !== 'mosaic' && as !== 'single-file') throw new Misuse(`got --as ${as}; expected mosaic or single-file`);
   if (fit !== 'desktop' && fit !== 'phone') throw new Misuse(`got --fit ${fit}; expected phone, or nothing`);
+  const poster = readCount('poster', values.poster, [0, maxPoster]);
   const jobs = values.jobs === undefined ? undefined : readCount('jobs', values.jobs);
   const { prepareFolder } = await import('./prepare-folder.ts');
   process.exitCode = await prepareFolder(
@@ -75,6 +80,7 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
       options: {
         as,
         fit,
+        poster,
         ...(moment === undefined ? {} : { moment }),
         keepNames: values['keep-names'],
         deviceBytes: (shareOfMemory * totalmem()) / (jobs ?? availableParallelism()),
@@ -92,10 +98,11 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   );
 }
 
-function readCount(name: string, text: string): number {
+function readCount(name: string, text: string, [low, high] = [1, Number.MAX_SAFE_INTEGER]): number {
   const count = Number(text);
-  if (!Number.isSafeInteger(count) || count < 1)
-    throw new Misuse(`got --${name} ${text}; expected a whole number from 1`);
+  const limit = high < Number.MAX_SAFE_INTEGER ? ` to ${high}` : '';
+  if (!/^\d+$/.test(text) || count < low || count > high)
+    throw new Misuse(`got --${name} ${text}; expected a whole number from ${low}${limit}`);
   return count;
 }
 
@@ -108,6 +115,7 @@ async function main(): Promise<void> {
       alt: { type: 'string' },
       out: { type: 'string' },
       fit: { type: 'string', default: 'desktop' },
+      poster: { type: 'string', default: '256' },
       jobs: { type: 'string' },
       timeout: { type: 'string', default: '1800' },
       'keep-names': { type: 'boolean', default: false },
