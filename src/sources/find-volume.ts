@@ -13,8 +13,9 @@ import { pathOf } from './byte-store.ts';
 import type { ByteStore } from './byte-store.ts';
 import { divideFiles } from './divide-files.ts';
 import type { FileKind, SniffedFile } from './divide-files.ts';
+import { GroupReader } from './group-reader.ts';
 
-/** Bytes of each file by which its format is recognized. */
+/** Bytes of a file by which its format is recognized, where the first few do not say it. */
 export const startBytes = 2 ** 16;
 
 /** The starts of so many files are kept: 32 MiB. */
@@ -65,13 +66,23 @@ export async function findVolume(
   const files: SniffedFile[] = [];
   const starts = new Map<string, DecodeInput>();
   let other: { readonly url: string; readonly name: string; readonly advice: string } | null = null;
-  const range = { start: 0, end: startBytes };
-  for await (const read of readAhead(urls, (url) => store.read(url, { range, signal }))) {
+  const few = { start: 0, end: keptBytes };
+  const reader = new GroupReader(store, {
+    range: few,
+    signal,
+    readOne: (url) => store.read(url, { range: few, signal }),
+  });
+  const ahead = reader.plan(urls, () => keptBytes);
+  for await (const read of readAhead(urls, (url) => reader.read(url), ahead)) {
     signal?.throwIfAborted();
     if (read.status === 'rejected') throw read.reason;
     const url = urls[files.length];
-    const start = await lookAt(read.value.bytes);
-    const kind = await sniffKind(store, url, start);
+    let start = await lookAt(read.value.bytes);
+    let kind = await sniffKind(store, url, start);
+    if ((kind === 'other' || kind === 'packed') && read.value.missing! > 0) {
+      start = await lookAt((await store.read(url, { range: { start: 0, end: startBytes }, signal })).bytes);
+      kind = await sniffKind(store, url, start);
+    }
     if (files.push({ url, kind }) % lookEvery === 0) onLook?.();
     if (kind === 'slice' && starts.size < maxStarts) starts.set(url, keepStart(read.value));
     const foreign = kind === 'other' ? findForeign(start) : null;
@@ -95,10 +106,8 @@ export async function findVolume(
   }
 }
 
-function keepStart({ bytes, missing = 0, ...rest }: DecodeInput): DecodeInput {
-  const kept = bytes.slice(0, keptBytes);
-  return { ...rest, bytes: kept, missing: missing + bytes.length - kept.length };
-}
+/** In memory of its own: that of a group is not kept for one of its files. */
+const keepStart = (start: DecodeInput): DecodeInput => ({ ...start, bytes: start.bytes.slice() });
 
 /** What a file of a store is, by its start. @param start - of the file */
 export async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {

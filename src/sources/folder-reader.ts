@@ -3,6 +3,7 @@ import type { FolderAccess } from '../formats/base/format.ts';
 import type { CoarseListener, LoadRequest } from '../formats/base/load-request.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
 import type { ByteStore } from './byte-store.ts';
+import { GroupReader } from './group-reader.ts';
 
 /** The load for which files are read. */
 export interface FolderLoad {
@@ -29,11 +30,17 @@ export class FolderReader implements FolderAccess {
   #loaded = 0;
   #total = 0;
 
+  readonly #whole: GroupReader;
+
   private constructor(
+    store: ByteStore,
     private readonly read: ByteStore['read'],
     private readonly sizes: ReadonlyMap<string, number>,
     private readonly options: FolderOptions,
-  ) {}
+  ) {
+    const { signal } = options;
+    this.#whole = new GroupReader(store, { signal, readOne: (url) => read(url, { signal }) });
+  }
 
   /** @param files - of the store @param read - reads a file of them */
   static async of(
@@ -44,7 +51,7 @@ export class FolderReader implements FolderAccess {
   ): Promise<FolderReader> {
     const sizes = new Map<string, number>();
     for (const url of files) sizes.set(url, (await store.stat(url)).size ?? 0);
-    const reader = new FolderReader(read, sizes, options);
+    const reader = new FolderReader(store, read, sizes, options);
     for (const size of sizes.values()) reader.#total += size;
     return reader;
   }
@@ -59,9 +66,13 @@ export class FolderReader implements FolderAccess {
   }
 
   async readWhole(url: string): Promise<DecodeInput> {
-    const input = await this.read(url, { signal: this.options.signal });
+    const input = await this.#whole.read(url);
     this.#count(url, Infinity);
     return input;
+  }
+
+  plan(urls: readonly string[]): number {
+    return this.#whole.plan(urls, (url) => this.sizes.get(url) ?? 0);
   }
 
   expect(urls: readonly string[]): void {

@@ -72,6 +72,28 @@ export class LocalStore implements ByteStore {
     }
   }
 
+  async readTogether(
+    urls: readonly string[],
+    { range, signal }: Pick<ReadOptions, 'range' | 'signal'>,
+  ): Promise<readonly DecodeInput[] | null> {
+    const files = urls.map((url) => this.#find(url));
+    let all: Uint8Array<ArrayBuffer>;
+    const parts = range ? files.map((file) => file.slice(range.start, range.end)) : files;
+    try {
+      all = new Uint8Array(await new Blob(parts).arrayBuffer());
+    } catch {
+      all = new Uint8Array();
+    }
+    signal?.throwIfAborted();
+    if (all.length !== parts.reduce((sum, { size }) => sum + size, 0)) return null;
+    let at = 0;
+    return urls.map((url, i) => {
+      const bytes = all.subarray(at, (at += parts[i].size));
+      const missing = range ? Math.max(0, files[i].size - range.end) : 0;
+      return { bytes, url, contentType: files[i].type, missing };
+    });
+  }
+
   /** The name of a single file may be that of a patient, and says nothing new. */
   #nameOf(url: string): string {
     return this.#files.size > 1 ? pathOf(url) : 'the chosen file';

@@ -82,6 +82,16 @@ export class PrivateStore implements ByteStore {
     return { ...input, url };
   }
 
+  async readTogether(
+    urls: readonly string[],
+    options: Pick<ReadOptions, 'range' | 'signal'>,
+  ): Promise<readonly DecodeInput[] | null> {
+    const real = urls.map((url) => urlInStore(this.base, this.#find(pathIn(url, this.base))));
+    const read = await this.store.readTogether?.(real, options).catch(() => null);
+    options.signal?.throwIfAborted();
+    return read?.map((input, i) => ({ ...input, url: urls[i] })) ?? null;
+  }
+
   /** Does something with a file; its errors have no name of it. */
   async #about<T>(url: string, act: (real: string) => Promise<T>, signal?: AbortSignal): Promise<T> {
     const path = pathIn(url, this.base);

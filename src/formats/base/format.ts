@@ -40,6 +40,8 @@ export interface FolderAccess {
   readStart(url: string, bytes: number): Promise<DecodeInput>;
   /** A whole file. */
   readWhole(url: string): Promise<DecodeInput>;
+  /** Whole files will be read in this order, so that several can be read in one piece. @returns how many to ask for ahead */
+  plan(urls: readonly string[]): number;
   /** No other files will be read, so that the progress counts only these. */
   expect(urls: readonly string[]): void;
   /** Shows a small volume of a part of the data, while the rest is read. @param grid - of the whole volume */

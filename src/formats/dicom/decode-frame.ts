@@ -79,7 +79,7 @@ function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): number {
 }
 
 /**
- * The stored numbers of a frame, row by row, in memory of their own.
+ * The stored numbers of a frame, row by row: not to be changed, as they may be the file's own bytes.
  * @param frame - from 0
  * @param library - for JPEG 2000; null where no picture has it
  */
@@ -91,6 +91,8 @@ export function decodeFrame(
 ): FrameNumbers {
   const { type, pixels, bitsAllocated, syntax, what, colors } = picture;
   const size = frameBytes(picture);
+  const there = viewNumbers(picture, frame * size, budget);
+  if (there) return there;
   // The frame, and what unpacking it takes.
   const taken = (isJ2k(picture) ? 16 : syntax.packing === 'JPEG' ? 6 : 3) * size;
   budget.take(taken, what);
@@ -115,10 +117,28 @@ export function decodeFrame(
     if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
   } else if (library && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, library));
   else numbers.set(unpackJpeg(packed, picture, what));
-  trimBits(numbers, picture);
+  if (isTrimmed(picture)) trimBits(numbers, numbers, picture);
   if (colors) applyPalette(numbers, colors);
   budget.giveBack(taken);
   return numbers;
+}
+
+/** Numbers that need no more than to be looked at, or to be trimmed; null for others. @param start - of the frame, in the pixels */
+function viewNumbers(picture: Picture, start: number, budget: Budget): FrameNumbers | null {
+  const { type, pixels, bitsAllocated, syntax, colors, what } = picture;
+  const isAsHere = bitsAllocated > 8 ? pixels.littleEndian === hostIsLittleEndian : pixels.littleEndian;
+  if (syntax.packing !== 'none' || colors || !pixels.bytes || !isAsHere) return null;
+  const { buffer, byteOffset, length } = pixels.bytes;
+  const count = picture.rows * picture.columns;
+  const [at, bytes] = [byteOffset + start, (count * bitsAllocated) / 8];
+  if (at % (bitsAllocated / 8) !== 0 || start + bytes > length) return null;
+  const numbers = new arrayOf[type](buffer, at, count);
+  if (!isTrimmed(picture)) return numbers;
+  budget.take(bytes, what);
+  const trimmed = new arrayOf[type](count);
+  trimBits(numbers, trimmed, picture);
+  budget.giveBack(bytes);
+  return trimmed;
 }
 
 function copyNumbers(from: Uint8Array, bytes: Uint8Array, { pixels, bitsAllocated, what }: Picture): void {
@@ -151,12 +171,14 @@ function joinFragments({ pixels: { fragments, offsets }, frames, what }: Picture
   return joinPieces(mine);
 }
 
-/** Bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */
-function trimBits(numbers: FrameNumbers, { bitsAllocated, bitsStored, shift, isSigned, type }: Picture): void {
-  if (bitsStored === bitsAllocated || type === 'float32' || type === 'float64') return;
+/** Whether bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */
+const isTrimmed = ({ bitsAllocated, bitsStored, type }: Picture): boolean =>
+  bitsStored < bitsAllocated && !type.startsWith('float');
+
+function trimBits(from: FrameNumbers, to: FrameNumbers, { bitsStored, shift, isSigned }: Picture): void {
   const above = 32 - bitsStored - shift;
-  for (let i = 0; i < numbers.length; i++) {
-    const up = numbers[i] << above;
-    numbers[i] = isSigned ? up >> (above + shift) : up >>> (above + shift);
+  for (let i = 0; i < from.length; i++) {
+    const up = from[i] << above;
+    to[i] = isSigned ? up >> (above + shift) : up >>> (above + shift);
   }
 }

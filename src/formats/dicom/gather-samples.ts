@@ -95,7 +95,8 @@ export async function gatherSamples(
     const { url } = frame.picture;
     return url === null ? frame : { ...frame, picture: await loadPixels(frame.picture, context) };
   };
-  for await (const loaded of readAhead(order, load)) {
+  const ahead = folder?.plan(order.map((k) => slices[k]?.picture.url ?? null).filter((url) => url !== null));
+  for await (const loaded of readAhead(order, load, ahead)) {
     const k = order[done];
     if (!folder) onProgress(done, slices.length);
     done++;

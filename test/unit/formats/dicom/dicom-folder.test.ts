@@ -7,7 +7,7 @@ import type { CoarseVolume, LoadProgress } from '../../../../src/formats/base/lo
 import { chooseFirst } from '../../../../src/formats/dicom/coarse-part.ts';
 import type { SourceSettings } from '../../../../src/formats/base/source-settings.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
-import { roomyLimits, valuesOf } from '../../../helpers/decode.ts';
+import { expectError, roomyLimits, valuesOf } from '../../../helpers/decode.ts';
 import { ctSlice, dicomBytes, packRle } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
 import { decodeSeries } from '../../../helpers/dicom-series.ts';
@@ -25,50 +25,48 @@ interface Opened {
   readonly budget: Budget;
 }
 
-/** A file that counts what is read of it. */
-class CountedFile extends File {
-  constructor(
-    bytes: Uint8Array<ArrayBuffer>,
-    name: string,
-    readonly count: (bytes: number) => void,
-  ) {
-    super([bytes], name);
-  }
-
-  override slice(start = 0, end = this.size): Blob {
-    this.count(Math.min(end, this.size) - start);
-    return super.slice(start, end);
-  }
-
-  override async arrayBuffer(): Promise<ArrayBuffer> {
-    this.count(this.size);
-    return super.arrayBuffer();
+/** Does a task, and is told of all that is read of files meanwhile. @param onRead - gets bytes, and may throw instead of the disk */
+async function watchReads<T>(onRead: (bytes: number) => void, task: () => Promise<T>): Promise<T> {
+  const { arrayBuffer } = Blob.prototype;
+  Blob.prototype.arrayBuffer = async function () {
+    onRead(this.size);
+    return arrayBuffer.call(this);
+  };
+  try {
+    return await task();
+  } finally {
+    Blob.prototype.arrayBuffer = arrayBuffer;
   }
 }
 
 async function openFolder(
   files: readonly Uint8Array<ArrayBuffer>[],
   settings: SourceSettings = {},
-  signal?: AbortSignal,
+  onRead: (bytes: number) => void = () => {},
 ): Promise<Opened> {
   let read = 0;
   const budget = new Budget(Infinity);
   const coarse: CoarseVolume[] = [];
   const progress: LoadProgress[] = [];
-  const volume = await decodeRequest(
-    {
-      url: base,
-      local: { base, files: files.map((bytes, i) => new CountedFile(bytes, `${i + 1}.dcm`, (more) => (read += more))) },
-      settings,
-      limits: roomyLimits,
-    },
-    {
-      signal,
-      pageOrigin,
-      budget,
-      onProgress: (one) => progress.push(one),
-      onCoarse: (one) => one && coarse.push(one),
-    },
+  const count = (bytes: number): void => {
+    onRead(bytes);
+    read += bytes;
+  };
+  const volume = await watchReads(count, () =>
+    decodeRequest(
+      {
+        url: base,
+        local: { base, files: files.map((bytes, i) => new File([bytes], `${i + 1}.dcm`)) },
+        settings,
+        limits: roomyLimits,
+      },
+      {
+        pageOrigin,
+        budget,
+        onProgress: (one) => progress.push(one),
+        onCoarse: (one) => one && coarse.push(one),
+      },
+    ),
   );
   return { volume, coarse, progress, read, budget };
 }
@@ -172,8 +170,40 @@ describe('a folder of DICOM', function () {
     const alone = await openFolder(slices(34));
     const both = await openFolder([...slices(34), ...other]);
     const size = other.reduce((sum, { length }) => sum + length, 0);
-    // What looks at each file reads all of these, as it needs up to 64 KiB; of one in 20 there is a picture.
-    expect(both.read - alone.read).to.be.below(size + 20 * 2 ** 14 + 3 * other[0].length);
+    // For the picture of each series one file is read.
+    const pictures = other[0].length + slices(34)[0].length;
+    expect(both.read - alone.read).to.equal(20 * 2 ** 14 + pictures);
+    expect(both.read - alone.read).to.be.below(size);
+  });
+
+  it('reads each file in two pieces, of which several files have one', async () => {
+    const reads: number[] = [];
+    const files = slices(100);
+    await openFolder(files, {}, (bytes) => reads.push(bytes));
+    // The first 16 KiB of 32 files at once, then 32 files: the first four bytes say whether the only file is an archive.
+    expect(reads).to.have.length(1 + 4 + 4);
+    const size = files.reduce((sum, { length }) => sum + length, 0);
+    expect(reads.reduce((sum, bytes) => sum + bytes, 0)).to.equal(4 + 100 * 2 ** 14 + size);
+  });
+
+  it('reads files one by one where several at once can not be read', async () => {
+    const files = slices(34);
+    const { volume } = await openFolder(files, {}, (bytes) => {
+      if (bytes > 1.5 * files[0].length) throw new DOMException('of the disk', 'NotReadableError');
+    });
+    expect(volume.samples).to.deep.equal((await decodeSeries(files)).samples);
+  });
+
+  it('with a file that can not be read any longer is an error that names its number', async () => {
+    const files = slices(34);
+    files[12] = slice(12, { PatientComments: 'x'.repeat(1000) });
+    const error = await expectError(
+      openFolder(files, {}, (bytes) => {
+        if (bytes === files[12].length || bytes > 1.5 * files[0].length) throw new DOMException('', 'NotReadableError');
+      }),
+    );
+    expect(error.code).to.equal('source/not-found');
+    expect(error.message).to.match(/^file 13 of 34 .*can not be read/);
   });
 
   it('may take memory by the bytes of all files, each counted once', async () => {
@@ -187,22 +217,23 @@ describe('a folder of DICOM', function () {
   it('stops where it is given up', async () => {
     const stop = new AbortController();
     let count = 0;
-    const files = slices(34).map(
-      (bytes, i) => new CountedFile(bytes, `${i}.dcm`, () => ++count === 50 && stop.abort()),
-    );
+    const files = slices(300).map((bytes, i) => new File([bytes], `${i}.dcm`));
     let error: unknown;
-    try {
-      await decodeRequest(
-        { url: base, local: { base, files }, limits: roomyLimits },
-        { signal: stop.signal, pageOrigin, onProgress: () => undefined },
-      );
-    } catch (thrown) {
-      error = thrown;
-    }
-    expect((error as Error).name).to.equal('AbortError');
-    const before = count;
-    await new Promise((resolve) => setTimeout(resolve, 20));
-    expect(count).to.be.below(before + 7);
+    // To look at all takes 11 reads, and to read them 10 more.
+    const onRead = (): void => void (++count === 14 && stop.abort());
+    await watchReads(onRead, async () => {
+      try {
+        await decodeRequest(
+          { url: base, local: { base, files }, limits: roomyLimits },
+          { signal: stop.signal, pageOrigin, onProgress: () => undefined },
+        );
+      } catch (thrown) {
+        error = thrown;
+      }
+      expect((error as Error).name).to.equal('AbortError');
+      await new Promise((resolve) => setTimeout(resolve, 20));
+      expect(count).to.be.below(17);
+    });
   });
 
   it('with a file that is cut behind its start shows no data there', async () => {
