@@ -2,7 +2,10 @@
 import type { Page } from '@playwright/test';
 import type { VolumeLabels } from '../../components/volume-labels/volume-labels.ts';
 import type { CartesianGrid } from '../../src/volume/grid.ts';
+import { transformPoint } from '../../src/volume/matrix.ts';
 import { dicomBytes } from '../helpers/dicom-bytes.ts';
+import { structureSetFields } from '../helpers/dicom-contours.ts';
+import type { MadeRegion, Point } from '../helpers/dicom-contours.ts';
 import { segment, segmentationFields } from '../helpers/dicom-segmentation.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { atlas } from './helpers/atlas.ts';
@@ -62,6 +65,31 @@ files['atlas.dcm'] = (() => {
     ),
   );
 })();
+/** The same atlas by contours: around each side a rectangle in each of its planes. */
+files['contours.dcm'] = (() => {
+  const { dimensions, indexToWorld } = atlas.grid as CartesianGrid;
+  const [nx, ny, nz] = dimensions;
+  const at = (i: number, j: number, k: number): Point => {
+    const [x, y, z] = transformPoint(indexToWorld, [i, j, k]);
+    return [-x, -y, z];
+  };
+  const sides = [
+    [0, nx / 2],
+    [nx / 2, nx],
+  ].map(([from, to]) => ({ id: atlas.samples[from], from: from - 0.5, to: to - 0.5 }));
+  const regions = sides.map(({ id, from, to }): MadeRegion => ({
+    number: id,
+    name: id === 3 ? 'Right side' : 'Left side',
+    color: id === 3 ? [255, 0, 0] : [0, 0, 255],
+    contours: Array.from({ length: nz }, (_, k) => [
+      at(from, -0.5, k),
+      at(to, -0.5, k),
+      at(to, ny - 0.5, k),
+      at(from, ny - 0.5, k),
+    ]),
+  }));
+  return Buffer.from(dicomBytes(structureSetFields(regions)));
+})();
 const folder = '/test/e2e/pages/data/labels';
 /** Software GL takes half a second for a picture of labels of the specs' usual size: these have a quarter of its pixels. */
 const small = 'style="width: 60px; height: 45px"';
@@ -95,18 +123,22 @@ function tintOf({ width, height, data }: Picture): [left: number, right: number]
   return sums;
 }
 
-test('a segmentation of DICOM colours and names what it covers, at its own places', async ({ page }) => {
-  await serve(page);
-  await open(page, `${view(labels(`src="${folder}/atlas.dcm"`))}</main>`);
-  await settle(page);
-  const [left, right] = tintOf(await takePicture(page));
-  expect(left).toBeGreaterThan(1000);
-  expect(right).toBeLessThan(-1000);
-  expect(await pickNames(page)).toEqual([
-    ['3', 'Right side'],
-    ['7', 'Left side'],
-  ]);
-});
+for (const [what, name] of [
+  ['a segmentation', 'atlas.dcm'],
+  ['a structure set', 'contours.dcm'],
+])
+  test(`${what} of DICOM colours and names what it covers, at its own places`, async ({ page }) => {
+    await serve(page);
+    await open(page, `${view(labels(`src="${folder}/${name}"`))}</main>`);
+    await settle(page);
+    const [left, right] = tintOf(await takePicture(page));
+    expect(left).toBeGreaterThan(1000);
+    expect(right).toBeLessThan(-1000);
+    expect(await pickNames(page)).toEqual([
+      ['3', 'Right side'],
+      ['7', 'Left side'],
+    ]);
+  });
 
 test.describe('an atlas', () => {
   test.use({ allowedLines: twice });

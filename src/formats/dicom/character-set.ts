@@ -1,4 +1,4 @@
-// Texts that people read, of which we show one kind: the names of segments.
+// Texts that people read, of which we show one kind: the names of segments and regions.
 import { cleanName } from '../base/clean-name.ts';
 import type { DataSet } from './data-set.ts';
 import type { Tag } from './tags.ts';

@@ -70,24 +70,24 @@ export class DataSet {
       .map((one) => one.trim());
   }
 
-  /** The numbers of an element, NaN for those that are none; [] if it is missing. */
-  numbers(tag: Tag): number[] {
+  /** The numbers of an element, NaN for those that are none; [] if it is missing. @param limit - no more than so many are read */
+  numbers(tag: Tag, limit = maxValues): number[] {
     const element = this.#elements.get(tag.id);
     if (!element || element.end === element.start) return [];
     const vr = element.vr in binary || isText(element.vr) ? element.vr : tag.vr;
     if (!(vr in binary)) {
-      const max = maxValues * 17; // Digits of a number, and what divides it from the next one.
+      const max = limit * 17; // Digits of a number, and what divides it from the next one.
       const text = new TextDecoder('latin1').decode(
         this.bytes.subarray(element.start, Math.min(element.end, element.start + max)),
       );
       return text
-        .split('\\', maxValues)
+        .split('\\', limit)
         .map((one) => one.replace(/[\s\0]+/g, ''))
         .map((one) => (one === '' ? NaN : Number(one)));
     }
     const [size, read] = binary[vr];
     const view = new DataView(this.bytes.buffer, this.bytes.byteOffset + element.start, element.end - element.start);
-    const count = Math.min(maxValues, Math.floor(view.byteLength / size));
+    const count = Math.min(limit, Math.floor(view.byteLength / size));
     return Array.from({ length: count }, (_, i) => read(view, i * size, this.littleEndian));
   }
 

@@ -130,7 +130,7 @@ function areSpacingsAlike(a: Frame['spacing'], b: Frame['spacing']): boolean {
 }
 
 /** Where a frame lies along the normal of the first one, in mm; null where its place is not known. */
-export function placeAlong(frame: Frame, { plane }: Frame): number | null {
+export function placeAlong(frame: Pick<Frame, 'position'>, { plane }: Pick<Frame, 'plane'>): number | null {
   return frame.position && plane ? dot(frame.position, plane.normal) : null;
 }
 

@@ -46,12 +46,23 @@ const segmentations = ['1.2.840.10008.5.1.4.1.1.66.4', '1.2.840.10008.5.1.4.1.1.
 /** Whether the numbers of a file are labels, and no values. */
 export const isSegmentation = (set: DataSet): boolean => segmentations.includes(set.text(tags.sopClass));
 
+/** Source: PS3.6, annex A */
+const structureSet = '1.2.840.10008.5.1.4.1.1.481.3';
+
+/** Whether a file has contours (RTSTRUCT), and no pixels. */
+export const isStructureSet = (set: DataSet): boolean => set.text(tags.sopClass) === structureSet;
+
 /**
  * Reads how the pixels of a file lie in it.
  * @returns null for a file without pixels, such as a report
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
 export function readPicture({ set, pixels, syntax }: DicomFile, what: string): Picture | null {
+  if (isStructureSet(set))
+    throw unsupportedFile(
+      what,
+      'has contours (RTSTRUCT): they are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
+    );
   if (!pixels) {
     // Reports and lists of files do not say how large a picture is.
     if (set.has(tags.rows) && set.has(tags.columns))

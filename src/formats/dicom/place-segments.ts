@@ -6,11 +6,14 @@ import type { Frame } from './frame.ts';
 import { placeAlong } from './group-frames.ts';
 import { joinAxes } from './stack-frames.ts';
 
-export interface PlacedSegments {
+/** What is known of the place of a slice with labels. */
+export type LabelSlice = Pick<Frame, 'plane' | 'position' | 'spacing' | 'step' | 'columns' | 'rows'>;
+
+export interface PlacedSegments<Slice> {
   readonly dimensions: Vector3;
   readonly indexToWorld: Matrix4;
   /** The slices that a frame is shown in: one, except where their distances differ. */
-  slicesOf(frame: Frame): readonly number[];
+  slicesOf(frame: Slice): readonly number[];
   /** What is shown in another way than the file says, in words. */
   readonly left: readonly string[];
 }
@@ -33,10 +36,10 @@ const maxSlices = 2 ** 14;
  * @param what - for messages
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
-export function placeSegments(frames: readonly Frame[], what: string): PlacedSegments {
+export function placeSegments<Slice extends LabelSlice>(frames: readonly Slice[], what: string): PlacedSegments<Slice> {
   const [any] = frames;
   const { plane, columns, rows } = any;
-  const alike = ({ plane: other, position }: Frame): boolean =>
+  const alike = ({ plane: other, position }: LabelSlice): boolean =>
     position !== null &&
     other !== null &&
     dot(other.row, plane!.row) > sameDirection &&
@@ -52,7 +55,7 @@ export function placeSegments(frames: readonly Frame[], what: string): PlacedSeg
   sorted.sort((a, b) => a.place - b.place);
   /** The slices of the file, and for each frame the number of its own. */
   const slices: typeof sorted = [];
-  const numberOf = new Map<Frame, number>();
+  const numberOf = new Map<Slice, number>();
   for (const [i, one] of sorted.entries()) {
     if (i === 0 || one.place - sorted[i - 1].place > samePlace * pixel) slices.push(one);
     numberOf.set(one.frame, slices.length - 1);

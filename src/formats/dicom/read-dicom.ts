@@ -27,10 +27,10 @@ import { stackFrames } from './stack-frames.ts';
 export const readDicom: FormatReader = async (input, settings, context) => {
   const files = 1 + context.further.length;
   try {
-    const { frames, left, segmentation } = await readFrames(input, context, files);
-    if (segmentation) {
-      const { readSegmentation } = await loadReader(() => import('./read-segmentation.ts'));
-      return placeVolume(await readSegmentation(segmentation, context), settings);
+    const { frames, left, labels } = await readFrames(input, context, files);
+    if (labels) {
+      const { readLabels } = await loadReader(() => import('./read-labels.ts'));
+      return placeVolume(await readLabels(labels, context), settings);
     }
     const chosen = chooseFrames(frames, context.budget, settings.series);
     const phases = settings.scan && !context.isPart ? chosen.phases : undefined;

@@ -13,7 +13,7 @@ import type { ChosenFrames } from './group-frames.ts';
 import { isDicom } from './is-dicom.ts';
 import { listFrames } from './list-frames.ts';
 import { readStart } from './load-pixels.ts';
-import { isSegmentation, readPicture } from './picture.ts';
+import { isSegmentation, isStructureSet, readPicture } from './picture.ts';
 import type { Picture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
 import type { DicomFile } from './read-file.ts';
@@ -23,8 +23,8 @@ export const nameAll = (files: number): string =>
   files > 1 ? `the ${files.toLocaleString('en')} DICOM files` : 'the DICOM file';
 
 export interface ReadFrames extends ChosenFrames {
-  /** Where the only file is a segmentation, this file, and no frames. */
-  readonly segmentation?: DicomFile;
+  /** Where the only file is a segmentation, or has contours: this file, and no frames. */
+  readonly labels?: DicomFile;
 }
 
 /** Memory for what is known of one frame: a small file may have thousands. */
@@ -36,7 +36,7 @@ const describingBytes = 1500;
  */
 export async function readFrames(input: DecodeInput, context: ReadContext, files: number): Promise<ReadFrames> {
   const only = files === 1 ? readWhole(input, context, nameOne(1, 1)) : null;
-  if (only && isSegmentation(only.set)) return { frames: [], left: [], segmentation: only };
+  if (only && (isSegmentation(only.set) || isStructureSet(only.set))) return { frames: [], left: [], labels: only };
   const frames: Frame[] = [];
   const refused: VolumeViewError[] = [];
   const damaged: Damage[] = [];

@@ -123,7 +123,11 @@ function stackInOrder(frames: readonly Frame[], spacing: readonly [number, numbe
 }
 
 /** The affine of a grid, in our world: x to the right and y to the front, where DICOM's go to the left and to the back. */
-export function joinAxes({ plane, position }: Frame, [dx, dy]: readonly [number, number], step: Vector3): Matrix4 {
+export function joinAxes(
+  { plane, position }: Pick<Frame, 'plane' | 'position'>,
+  [dx, dy]: readonly [number, number],
+  step: Vector3,
+): Matrix4 {
   const [i, j, k, origin] = [scale(plane!.row, dx), scale(plane!.column, dy), step, position!];
   return [-i[0], -j[0], -k[0], -origin[0], -i[1], -j[1], -k[1], -origin[1], i[2], j[2], k[2], origin[2], 0, 0, 0, 1];
 }
