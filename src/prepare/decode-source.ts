@@ -21,6 +21,8 @@ const noLimits: DeviceLimits = { maxVoxelsPerAxis: Infinity, maxAtlasSize: null,
 export interface SourceVolume {
   /** From 1, counted over all series and times of the source. */
   readonly number: number;
+  /** Its series, from 0: the volumes of a series are its scans in time. */
+  readonly series: number;
   readonly volume: Volume;
   /** When it was measured: ISO 8601 of a radar or a manifest, or a number with its unit; null where nothing says it. */
   readonly time: string | null;
@@ -51,18 +53,18 @@ export async function* decodeSource(
 ): AsyncGenerator<SourceVolume | SourceFailure> {
   let number = 0;
   const first = await decodeScans(store, source, options, {});
-  for await (const one of first.scans) yield { number: ++number, ...one };
-  for (const series of first.others) {
+  for await (const one of first.scans) yield { number: ++number, series: 0, ...one };
+  for (const [i, series] of first.others.entries()) {
     try {
       const { scans } = await decodeScans(store, source, options, { series });
-      for await (const one of scans) yield { number: ++number, ...one };
+      for await (const one of scans) yield { number: ++number, series: i + 1, ...one };
     } catch (error) {
       yield { number: ++number, error };
     }
   }
 }
 
-type Scan = Omit<SourceVolume, 'number'> | Omit<SourceFailure, 'number'>;
+type Scan = Omit<SourceVolume, 'number' | 'series'> | Omit<SourceFailure, 'number'>;
 
 /** The scans of one series, of which the first one is read, and the numbers of the other series. */
 async function decodeScans(

@@ -41,6 +41,8 @@ export interface VolumeReport {
 /** A volume in the form in which a web server has it. */
 export interface PreparedVolume {
   readonly number: number;
+  /** See `SourceVolume`. */
+  readonly series: number;
   readonly png: Uint8Array;
   /** A picture of it, as PNG; null if there is none. */
   readonly poster: Uint8Array | null;
@@ -85,7 +87,7 @@ export function describeFailure(error: unknown): { readonly code: string; readon
 async function prepareVolume(
   store: ByteStore,
   { first }: Source,
-  { number, volume, time }: SourceVolume,
+  { number, series, volume, time }: SourceVolume,
   { fit, moment, poster: posterSize }: PrepareOptions,
 ): Promise<PreparedVolume> {
   const { format, unit } = volume;
@@ -107,6 +109,7 @@ async function prepareVolume(
     ];
     return {
       number,
+      series,
       png,
       poster,
       manifest,
@@ -121,6 +124,7 @@ async function prepareVolume(
   const isReduced = String(from) !== String(dimensions);
   return {
     number,
+    series,
     png,
     poster,
     manifest,

@@ -31,6 +31,7 @@ process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 const importHelper = async (path) =>
   (await runnerImport(join(projectRoot, path), { configFile: false, logLevel: 'error', root: projectRoot })).module;
 const { dicomBytes, ctSlice } = await importHelper('test/helpers/dicom-bytes.ts');
+const { readManifest } = await importHelper('src/formats/manifest/manifest.ts');
 const { zipSync } = await import('fflate');
 
 /** @param {string} name */
@@ -79,7 +80,11 @@ put(
   ),
 );
 put('Plantedfolder/plantedfile.nii', readFileSync(fixture('nifti/v1-le-i2.nii')));
-put('Plantedfolder/plantedfile-series.nii', readFileSync(fixture('nifti/v1-le-series.nii')));
+// Volumes every 2.5 seconds.
+const series4d = readFileSync(fixture('nifti/v1-le-series.nii'));
+series4d[123] = 2 + 8;
+series4d.writeFloatLE(2.5, 76 + 4 * 4);
+put('Plantedfolder/plantedfile-series.nii', series4d);
 put('Plantedfolder/plantedfile-cut.nii', readFileSync(fixture('nifti/v1-le-i2.nii')).subarray(0, 400));
 put('Plantedfolder/plantedfile.txt', 'Plantedname');
 for (const name of ['formats/analyze-le-i2.hdr', 'formats/analyze-le-i2.img', 'radar/odim-2.2.h5']) copyFixture(name);
@@ -111,7 +116,10 @@ const listSite = (site) =>
   );
 
 const site = join(work, 'site');
+const began = performance.now();
 const first = run(site);
+/** Milliseconds. */
+const wholeRun = performance.now() - began;
 const done = first.lines.filter(({ status }) => status === 'done');
 
 await check('all volumes of a folder are made, a broken one is listed, and the exit status says so', () => {
@@ -132,11 +140,30 @@ await check('all volumes of a folder are made, a broken one is listed, and the e
     assert.deepEqual([poster.width, poster.height, poster.channels], [256, 256, 4]);
     assert.match(readFileSync(join(site, line.page), 'utf8'), / poster="poster.png"/);
   }
-  assert.equal(readFileSync(join(site, 'index.html'), 'utf8').split('<img src="').length - 1, done.length);
+  assert.equal(readFileSync(join(site, 'index.html'), 'utf8').split('<img src="').length - 1, countCards());
   const values = done.find(({ dimensions }) => dimensions.join('x') === '4x3x6');
   assert.deepEqual(values.error, { max: 0, rms: 0 });
   assert.equal(values.unit, 'HU');
   return `${done.length} volumes`;
+});
+
+/** Places in the index: a series of scans has one. */
+function countCards() {
+  return new Set(done.map(({ page, scans = page }) => scans)).size;
+}
+
+await check('scans in time have a page of their own, and one place in the index', () => {
+  const series = done.filter(({ scans }) => scans !== undefined);
+  assert.ok(series.length > 1 && countCards() === done.length - series.length + 1, first.stdout);
+  const page = join(site, series[0].scans);
+  assert.match(readFileSync(page, 'utf8'), /src="scans.json"[^]*<volume-timeline for="view">/);
+  const { scans } = readManifest(new Uint8Array(readFileSync(join(page, '../scans.json'))));
+  assert.deepEqual(
+    scans.map((/** @type {{ time: string }} */ { time }) => time),
+    ['0 s', '2.5 s'],
+  );
+  for (const { image } of scans) assert.ok(existsSync(join(page, '..', image)), image);
+  return `${scans.length} scans, ${scans[0].time} to ${scans.at(-1).time}`;
 });
 
 await check('a volume has the numbers of its files', () => {
@@ -238,7 +265,7 @@ await check(`ended at ${values.kills} moments it leaves no half folder, and the 
   let whole = 0;
   for (let i = 0; i < Number(values.kills); i++) {
     const child = spawn(process.execPath, [program, folder, '--out', killed, '--jobs', '2'], { stdio: 'ignore' });
-    await new Promise((resolve) => setTimeout(resolve, 100 + 2400 * Math.random()));
+    await new Promise((resolve) => setTimeout(resolve, wholeRun * Math.random()));
     child.kill('SIGKILL');
     await new Promise((resolve) =>
       child.exitCode === null && child.signalCode === null ? child.once('exit', resolve) : resolve(null),

@@ -36,6 +36,8 @@ export interface DoneLine extends VolumeReport {
   /** Relative to the site. */
   readonly page: string;
   readonly title: string;
+  /** The page of all scans of its series, where there are several: relative to the site. */
+  readonly scans?: string;
 }
 
 export interface FailedLine {

@@ -130,7 +130,7 @@ class FolderWork {
   async finish(): Promise<void> {
     const { site, state } = this.at;
     const lines = [...this.#index.values()];
-    lines.sort((a, b) => (a.title < b.title ? -1 : a.title > b.title ? 1 : 0));
+    lines.sort((a, b) => a.title.localeCompare(b.title, 'en', { numeric: true }));
     const page = writeIndex(
       lines.map((line) => ({ ...line, hasPoster: existsSync(join(site, line.id, 'poster.png')) })),
     );
@@ -183,7 +183,10 @@ class FolderWork {
   async #isCurrent(one: FolderSource, known: KnownSource): Promise<boolean> {
     const { site, state } = this.at;
     if (known.made !== this.#made) return false;
-    const isThere = known.lines.every((line) => line.status === 'done' && existsSync(join(site, line.page)));
+    const isThere = known.lines.every(
+      (line) =>
+        line.status === 'done' && [line.page, line.scans ?? line.page].every((page) => existsSync(join(site, page))),
+    );
     if (!isThere) return false;
     const paths = pathsOf(one, known.read);
     const stamp = stampAll(paths);

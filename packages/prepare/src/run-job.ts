@@ -6,6 +6,8 @@ import { pathOf } from '../../../src/sources/byte-store.ts';
 import type { ByteStore } from '../../../src/sources/byte-store.ts';
 import { formatManifest } from './format-manifest.ts';
 import type { DoneLine, Job, JobResult, Line } from './job.ts';
+import { findSeries, writeSeries } from './write-series.ts';
+import type { WrittenScan } from './write-series.ts';
 import { hideNames, openPlace, WatchedStore } from './open-place.ts';
 import { writeScanPage } from './site-pages.ts';
 import { writeFolder } from './write-folder.ts';
@@ -13,6 +15,7 @@ import { writeFolder } from './write-folder.ts';
 /** Reads a source, and writes a folder for each of its volumes. Never rejects: what fails is a line. */
 export async function runJob({ place, source, site, salt, options }: Job): Promise<JobResult> {
   const lines: Line[] = [];
+  const written: WrittenScan[] = [];
   let content = '';
   let watched: WatchedStore | null = null;
   try {
@@ -23,12 +26,26 @@ export async function runJob({ place, source, site, salt, options }: Job): Promi
     for await (const one of prepareSource(store, hidden, options)) {
       content ||= await hashFiles(watched.inner, [...(source.files ?? []), ...watched.wasRead, source.first]);
       id ||= createHmac('sha256', salt).update(content).digest('hex').slice(0, 16);
-      if ('code' in one) lines.push({ status: 'failed', code: one.code, message: one.message });
-      else
-        lines.push(
-          await writeVolume(one, one.number === 1 ? id : `${id}-${one.number}`, { place, source, site, options }),
-        );
+      if ('code' in one) {
+        lines.push({ status: 'failed', code: one.code, message: one.message });
+        continue;
+      }
+      const own = one.number === 1 ? id : `${id}-${one.number}`;
+      const line = await writeVolume(one, own, { place, source, site, options });
+      written.push({
+        line,
+        place: lines.push(line) - 1,
+        series: one.series,
+        manifest: one.manifest,
+        poster: one.poster,
+      });
     }
+    // A page that holds the volumes of all times would be as large as all of them.
+    if (options.as === 'mosaic')
+      for (const scans of findSeries(written)) {
+        const page = await writeSeries(site, scans);
+        for (const { line, place } of scans) lines[place] = { ...line, scans: page };
+      }
   } catch (error) {
     lines.push({ status: 'failed', ...describeFailure(error) });
   }

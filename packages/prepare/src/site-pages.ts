@@ -42,25 +42,53 @@ export function writeScanPage(line: Omit<DoneLine, 'page'>, src: string, hasPost
 `;
 }
 
-/** The page of all volumes. */
+/** The page of the scans of one series. @param src - the URL of their manifest */
+export function writeSeriesPage(lines: readonly Omit<DoneLine, 'page'>[], src: string, hasPoster: boolean): string {
+  const [first] = lines;
+  const poster = hasPoster ? ' poster="poster.png"' : '';
+  return `${head(first.title, 'volume-view { width: 100%; height: min(70vh, 44rem) }')}<h1>${escape(first.title)}</h1>
+<volume-view id="view" controls alt="${escape(altOf(first))}" src="${escape(src)}"${poster}></volume-view>
+<volume-timeline for="view"></volume-timeline>
+<p>${escape(describeSeries(lines))}</p>
+<p><a href="../index.html">All scans</a></p>
+<script src="../${scriptName}"></script>
+</html>
+`;
+}
+
+/** The page of all volumes: a series of scans has one place in it. */
 export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boolean })[]): string {
-  const cards = lines.map(
-    (
-      line,
-    ) => `  <li><a href="${escape(line.page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
-    <strong>${escape(line.title)}</strong></a><br>${escape(describe(line))}</li>`,
+  const series = new Map<string, (DoneLine & { readonly hasPoster: boolean })[]>();
+  for (const line of lines) {
+    const page = line.scans ?? line.page;
+    series.set(page, [...(series.get(page) ?? []), line]);
+  }
+  const cards = [...series].map(
+    ([
+      page,
+      [line, ...more],
+    ]) => `  <li><a href="${escape(page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
+    <strong>${escape(line.title)}</strong></a><br>${escape(more.length > 0 ? describeSeries([line, ...more]) : describe(line))}</li>`,
   );
   return `${head(
     'Scans',
     `ul { list-style: none; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 100%), 1fr)); gap: 1.5rem }
   li { overflow-wrap: anywhere }
   img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; background: #0001 }`,
-  )}<h1>${lines.length} ${lines.length === 1 ? 'scan' : 'scans'}</h1>
+  )}<h1>${series.size} ${series.size === 1 ? 'scan' : 'scans'}</h1>
 <ul>
 ${cards.join('\n')}
 </ul>
 </html>
 `;
+}
+
+/** The first scan, how many there are, and from when to when. */
+function describeSeries(lines: readonly Omit<DoneLine, 'page'>[]): string {
+  const [first, last] = [lines[0], lines[lines.length - 1]];
+  const when = first.time !== undefined && last.time !== undefined ? `, ${first.time} to ${last.time}` : '';
+  const worst = lines.reduce((a, b) => (b.error.max > a.error.max ? b : a));
+  return `${lines.length} times${when}: ${describe({ ...first, format: first.format.replace(/, volume 1 of \d+$/, ''), time: undefined, error: worst.error })}`;
 }
 
 function describe({ format, dimensions, from, error, unit, time }: Omit<DoneLine, 'page'>): string {

@@ -12,6 +12,9 @@ export const positive: Check<number> = (value) => {
 /** The maximum number of sweeps, the same as for a radar file. */
 const maxTiles = 4096;
 
+/** Characters of a time. */
+const maxTime = 50;
+
 /** Metres and degrees beyond this do not occur in radar data. */
 const farthest = 1e9;
 
@@ -52,13 +55,23 @@ export const angles: Check<readonly number[]> = (value) => {
   return value as number[];
 };
 
-export const utcTime: Check<string> = (value) => {
-  const isTime =
-    typeof value === 'string' &&
-    value.length < 50 &&
-    /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) &&
-    !Number.isNaN(Date.parse(value));
-  if (!isTime) throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z"');
+const isUtc = (text: string): boolean =>
+  /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(text) && !Number.isNaN(Date.parse(text));
+
+/** A number with its unit, from some start. */
+const counted = /^-?\d{1,15}(\.\d{1,20})?(e[-+]?\d{1,2})? ?[A-Za-z][A-Za-z/]{0,9}$/;
+
+const utcTime: Check<string> = (value) => {
+  if (typeof value !== 'string' || value.length >= maxTime || !isUtc(value))
+    throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z"');
+  return value;
+};
+
+/** A time in UTC, or one that is counted from the first scan. */
+export const scanTime: Check<string> = (value) => {
+  const isTime = typeof value === 'string' && value.length < maxTime && (isUtc(value) || counted.test(value));
+  if (!isTime)
+    throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z", or a number with its unit, such as "12.5 s"');
   return value;
 };
 

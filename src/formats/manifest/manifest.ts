@@ -1,4 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
+import { readScanTime } from '../../core/scan-time.ts';
+import type { ScanTime } from '../../core/scan-time.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import type { ChannelUse } from '../base/channels.ts';
 import {
@@ -18,7 +20,7 @@ import {
   text,
 } from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
-import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
+import { angles, azimuthPair, positive, rangePair, scanTime, site, sweeps } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 import type { RawLayout } from '../raw/raw-layout.ts';
 import { labels, pixel, prepared, yes } from './manifest-prepared.ts';
@@ -87,6 +89,7 @@ export function readManifest(bytes: Uint8Array): Manifest {
   const shared = readFields(fields);
   if (scans === undefined) {
     checkSource(shared);
+    checkTime(shared);
     return { ...empty, ...shared };
   }
   for (const name of ['image', 'files'] as const) {
@@ -109,15 +112,25 @@ function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
       return fail('scans', scan, `{ "image": …, "time": … } at place ${i + 1}`);
     const own = readFields(scan, `scans[${i}].`);
     checkSource(own, `scans[${i}].`);
-    return { ...empty, ...shared, ...own };
+    const scanned = { ...empty, ...shared, ...own };
+    checkTime(scanned, `scans[${i}].`);
+    return scanned;
   });
-  let last = -Infinity;
+  let last: ScanTime | null = null;
   for (const { time } of list) {
-    const now = time === undefined ? last : Date.parse(time);
-    if (now < last) fail('scans', time, 'scans in the order of time');
+    const now: ScanTime | null = time === undefined ? last : readScanTime(time);
+    if (last && now!.unit !== last.unit)
+      fail('scans', time, 'scans that all have a time in UTC, or all one in the same unit');
+    if (last && now!.value < last.value) fail('scans', time, 'scans in the order of time');
     last = now;
   }
   return list;
+}
+
+/** The sweeps of a radar are shown with the time of the day. */
+function checkTime({ elevations, time }: Partial<Manifest>, where = ''): void {
+  if (elevations !== undefined && time !== undefined && readScanTime(time)?.unit !== 'UTC')
+    failWith(`${where}time`, `"${time}"`, 'a time in UTC, because it is a scan of a radar');
 }
 
 /** @param where - goes before a field's name in an error message */
@@ -155,7 +168,7 @@ const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNu
   moment: filledShortText,
   nyquist: positive,
   site,
-  time: utcTime,
+  time: scanTime,
   sweeps,
   labels,
   noData: pixel,

@@ -78,7 +78,8 @@ function makeObject(random: Random, kind: string): unknown {
     'javascript:1',
   );
   if (kind === 'files') return { ...shared, mosaic: undefined, files: repeat(random, 'image.png') };
-  if (kind === 'scans') return { ...shared, scans: repeat(random, { image, time: '2018-12-20T06:06:28Z' }) };
+  const time = random.pick(['2018-12-20T06:06:28Z', '12.5 s', '-1e99 ms']);
+  if (kind === 'scans') return { ...shared, scans: repeat(random, { image, time }) };
   // A picture's bytes are numbers too.
   if (kind === 'image') return random.chance(0.2) ? { ...shared, image, raw: makeRaw(random) } : { ...shared, image };
   const tiles = random.int(1, 6);

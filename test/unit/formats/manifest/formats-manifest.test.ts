@@ -58,6 +58,13 @@ const good: unknown[] = [
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
+  {
+    scans: [
+      { image: 'a.png', time: '900 ms' },
+      { image: 'b.png', time: '1 s' },
+      { image: 'c.png', time: '2.5e1 s' },
+    ],
+  },
   { files: ['a.png', '../b.png', 'https://example.org/c.png'], spacing: [1, 1, 2] },
   { unit: 'HU', scans: [{ files: ['a.png'] }, { image: 'b.nrrd' }] },
   {
@@ -136,12 +143,35 @@ const bad: [field: string, value: unknown][] = [
   ['scans', { scans: [{ image: 'a', scans: [{ image: 'b' }] }] }],
   ['scans[1].image', { scans: [{ image: 'a' }, { time: '2020-02-07T13:00:00Z' }] }],
   ['scans[0].time', { scans: [{ image: 'a', time: 'noon' }] }],
+  ['scans[0].time', { scans: [{ image: 'a', time: '9e999 s' }] }],
   ['unit', { unit: 5, scans: [{ image: 'a' }] }],
 ];
 
 /** What JSON Schema has no words for. */
 const badBeyondSchema: [field: string, value: unknown][] = [
   ['window', { image: 'a', window: [300, -100] }],
+  [
+    'scans[1].time',
+    { mosaic: '1x1', elevations: [1], range: [0, 1], scans: [{ image: 'a' }, { image: 'b', time: '2 s' }] },
+  ],
+  [
+    'scans',
+    {
+      scans: [
+        { image: 'a', time: '2 s' },
+        { image: 'b', time: '1 s' },
+      ],
+    },
+  ],
+  [
+    'scans',
+    {
+      scans: [
+        { image: 'a', time: '2 s' },
+        { image: 'b', time: '2020-02-07T13:00:00Z' },
+      ],
+    },
+  ],
   ['time', { image: 'a', time: '2020-13-07T13:00:00Z' }],
   [
     'scans',
