@@ -140,6 +140,38 @@ for (const [what, name] of [
     ]);
   });
 
+test.describe('behind a token', () => {
+  test.use({ allowedLines: /401|404|Failed to load resource|<volume-labels>: of the/ });
+
+  test('labels and their table are fetched as the page fetches the volume', async ({ page }) => {
+    await serve(page);
+    await page.route(`**${folder}/*`, async (route) => {
+      const { authorization } = await route.request().allHeaders();
+      return authorization === 'Bearer 1234' ? route.fallback() : route.fulfill({ status: 401 });
+    });
+    await open(page, view('', '/demos/data/none'));
+    await withElement(
+      page,
+      (one, [src, inside]) => {
+        one.fetch = (address, options) =>
+          fetch(address, {
+            ...options,
+            headers: { ...Object.fromEntries(new Headers(options?.headers)), Authorization: 'Bearer 1234' },
+          });
+        one.innerHTML = inside;
+        one.src = src;
+      },
+      { argument: [fieldUrl, labels()] as const },
+    );
+    await expect
+      .poll(() => pickNames(page))
+      .toEqual([
+        ['3', 'Right side'],
+        ['7', 'Left side'],
+      ]);
+  });
+});
+
 test.describe('an atlas', () => {
   test.use({ allowedLines: twice });
 

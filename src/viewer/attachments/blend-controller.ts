@@ -78,7 +78,7 @@ export class BlendController extends AttachmentController<BlendTarget, Attachmen
   protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
     const { voxels, texture, ratio, opacityFactor } = this.#second!;
     const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) =>
-      loadAttachment({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this),
+      loadAttachment({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, { holder: this, fetch: target.fetch }),
     );
     const loaded = withoutIds(file);
     const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;

@@ -138,7 +138,7 @@ class ColorMoment {
       settings: { ...(settings.source && readSource(settings.source)), moment },
       limits: deviceLimits(probeDevice()),
     };
-    return loadAttachment(request, signal); // Nobody reports when the view is gone, so the volume is not kept.
+    return loadAttachment(request, signal, { fetch: this.#target.fetch }); // Nobody reports when the view is gone, so the volume is not kept.
   }
 
   async #apply(overlay: ViewOverlay | null): Promise<void> {

@@ -25,7 +25,7 @@ export interface LabelControllerHost extends AttachmentHost<LabelTarget> {
   /** What the author says about labels. @param ids - of the file */
   said(ids: readonly number[]): LabelChildren;
   /** Load the file, where its values need a change before they are labels. */
-  load?(src: string, signal: AbortSignal): Promise<LabelFile>;
+  load?(src: string, signal: AbortSignal, fetch?: typeof globalThis.fetch | null): Promise<LabelFile>;
   readonly wanted: () => {
     readonly src: string | null;
     readonly table: string | null;
@@ -164,8 +164,8 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     }
     // Both load at the same time; if one fails, an error of the other is not reported.
     const [file, names] = await Promise.all([
-      src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
-      table ? this.#tables.get(table, signal, (stop) => loadTable(table, stop)) : null,
+      src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop, target.fetch)) : null,
+      table ? this.#tables.get(table, signal, (stop) => loadTable(table, stop, target.fetch)) : null,
     ]);
     signal.throwIfAborted();
     const { volume } = target;
@@ -254,8 +254,8 @@ function ownHaveNone(): VolumeViewError {
 }
 
 /** Load a table; its unusable parts are reported to the author of the page. */
-async function loadTable(url: string, signal: AbortSignal): Promise<LabelTable> {
-  const table = await loadLabelTable(url, signal);
+async function loadTable(url: string, signal: AbortSignal, fetch: LabelTarget['fetch']): Promise<LabelTable> {
+  const table = await loadLabelTable(url, signal, fetch);
   if (table.problems.length > 0)
     console.warn(
       `<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`,

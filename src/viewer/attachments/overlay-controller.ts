@@ -84,7 +84,7 @@ export class OverlayController extends AttachmentController<OverlayTarget, Overl
         `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`,
       );
     const loaded = await this.#files.get(url, signal, (stop) =>
-      loadAttachment({ url, limits: deviceLimits(probeDevice()) }, stop, this),
+      loadAttachment({ url, limits: deviceLimits(probeDevice()) }, stop, { holder: this, fetch: target.fetch }),
     );
     signal.throwIfAborted();
     const { volume: over } = target;

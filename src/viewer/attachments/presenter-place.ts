@@ -34,6 +34,10 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
     return this.view.awake;
   }
 
+  get fetch(): typeof globalThis.fetch | null | undefined {
+    return this.view.host.fetch;
+  }
+
   /** The file of that volume, for messages. */
   get file(): string {
     return this.view.settings.src ?? '';

@@ -58,7 +58,7 @@ export class SegmentController {
         overrides: new Map(ids.map((id) => [id, this.#look(id)])),
         error: this.#segments && reportStyles(this.#segments.all, this.#segments.enabled, ids),
       }),
-      load: (_, signal) => loadIdentifiers(this.#segments!.identifiers, signal),
+      load: (_, signal, fetch) => loadIdentifiers(this.#segments!.identifiers, signal, fetch),
       wanted: () => ({
         src: this.#segments && nameOf(this.#segments.identifiers),
         table: null,
@@ -114,8 +114,12 @@ function nameOf({ url, settings: { mosaic, slices } = {}, max }: Identifiers): s
     .join(' ');
 }
 
-function loadIdentifiers({ max, ...request }: Identifiers, signal: AbortSignal): Promise<LabelFile> {
-  return labelFileOf(request, signal, (volume) => (max === null ? volume : spread(volume, max)));
+function loadIdentifiers(
+  { max, ...request }: Identifiers,
+  signal: AbortSignal,
+  fetch: PresenterTarget['fetch'],
+): Promise<LabelFile> {
+  return labelFileOf(request, signal, { fetch, change: (volume) => (max === null ? volume : spread(volume, max)) });
 }
 
 /** Convert X3DOM's shares of pixels to numbers of segments; `most` is the number of segments in X3DOM. */

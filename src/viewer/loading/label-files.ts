@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../core/errors.ts';
+import { loadPart } from '../../core/load-part.ts';
 import { fetchBytes } from '../../sources/fetch-bytes.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
 import type { LabelTable } from '../../formats/label-tables/label-table.ts';
@@ -9,6 +10,7 @@ import type { NamedLabel } from '../../volume/labels.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { loadAttachment } from './load-attachment.ts';
+import type { AttachmentOptions } from './load-attachment.ts';
 
 /** A label file, and its contents. */
 export interface LabelFile {
@@ -30,23 +32,26 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
  * Load a file with labels, by the readers of volume files.
  * @throws {VolumeViewError} as loading volumes does, and `format/unsupported` where its values are not labels
  */
-export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
+export async function loadLabelFile(url: string, signal: AbortSignal, fetch?: Fetch): Promise<LabelFile> {
   if (/\s/.test(url.trim()))
     throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
-  const file = await labelFileOf({ url: url.trim() }, signal);
+  const file = await labelFileOf({ url: url.trim() }, signal, { fetch });
   // Like the unusable parts of a table, this is reported to the author of the page.
   if (file.left)
     console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
   return file;
 }
 
+/** Instead of the browser's own `fetch`, where there is one. */
+type Fetch = AttachmentOptions['fetch'];
+
 /** The same for a file with more reading options. @param change - changes its values first */
 export async function labelFileOf(
   request: Omit<LoadRequest, 'limits'>,
   signal: AbortSignal,
-  change: (volume: Volume) => Volume = (volume) => volume,
+  { fetch, change = (volume) => volume }: { readonly fetch?: Fetch; readonly change?: (volume: Volume) => Volume } = {},
 ): Promise<LabelFile> {
-  const volume = await loadAttachment({ ...request, limits }, signal);
+  const volume = await loadAttachment({ ...request, limits }, signal, { fetch });
   const { format, anatomical, named, left } = volume;
   return { ...labelsIn(change(volume), request.url), format, anatomical, named, left };
 }
@@ -84,7 +89,7 @@ export function labelsIn(volume: Volume, url: string): Pick<LabelFile, 'voxels' 
 }
 
 /** Load a table of names and colours. @throws {VolumeViewError} */
-export async function loadLabelTable(url: string, signal: AbortSignal): Promise<LabelTable> {
+export async function loadLabelTable(url: string, signal: AbortSignal, fetch?: Fetch): Promise<LabelTable> {
   const name = url.trim().slice(0, 200);
   let absolute: string;
   try {
@@ -97,6 +102,7 @@ export async function loadLabelTable(url: string, signal: AbortSignal): Promise<
     pageOrigin: origin,
     maxBytes: maxTableBytes,
     onProgress: () => {},
+    fetch: fetch && (await loadPart(import('../../worker/serve-fetch.ts'), 'reads files')).checkedFetch(fetch),
   });
   return readLabelTable(bytes, name);
 }

@@ -11,6 +11,8 @@ export interface AttachmentTarget {
   readonly awake: boolean;
   /** Add work that scripts wait for when they wait for the picture. It does not reject. */
   track(work: Promise<unknown>): void;
+  /** Fetches its files instead of the browser, where the page has set such a function for the volume. */
+  readonly fetch?: typeof globalThis.fetch | null;
   failed(error: unknown): void;
   cleared(): void;
   /** Report to the people who see the picture which parts of its files are not in it; empty where all are. */

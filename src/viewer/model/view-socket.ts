@@ -80,7 +80,7 @@ export interface ViewPart {
 /** What parts and companions can use of a view; the view's presenter implements it. */
 export interface SocketView extends NoticePlace {
   /** The `<volume-view>`. */
-  readonly host: HTMLElement;
+  readonly host: HTMLElement & { readonly fetch?: typeof globalThis.fetch | null };
   /** The last good volume; null before there is one. */
   readonly volume: Volume | null;
   /** The session of the view, for what companions do with several scans. */
