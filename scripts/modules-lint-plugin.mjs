@@ -107,6 +107,7 @@ export const FOLDERS = {
     'afni',
     'npy',
     'tiff',
+    'zarr',
     'packed',
     'vti',
     'meshes',

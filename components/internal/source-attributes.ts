@@ -7,7 +7,7 @@ import { property } from './reflecting-element.ts';
 export class SourceAttributes extends LookAttributes {
   /**
    * URL of the data: a NIfTI, NRRD or MetaImage file or one of more formats, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II), a JSON
-   * manifest, or a ZIP archive that holds one volume.
+   * manifest, a ZIP archive that holds one volume, or the folder of an OME-Zarr (`brain.ome.zarr`).
    * Several URLs, separated by blanks, are scans in the order of time, and so are the volumes of one file that holds several; a blank
    * within a URL is written `%20`.
    */
@@ -48,6 +48,9 @@ export class SourceAttributes extends LookAttributes {
    * default the one with the most voxels.
    */
   @property({ kind: number }) series!: number | null;
+
+  /** Which channel of an OME-Zarr is shown where it has several: a number from 1. By default the first. */
+  @property({ kind: number }) channel!: number | null;
 
   /**
    * Hides isolated parts, such as a head rest or specks. It looks at all voxels above a value. A part is hidden if no voxel faces connect

@@ -15,6 +15,7 @@
     'color-moment',
     'beam-model',
     'series',
+    'channel',
     'vertical-exaggeration',
     'clean',
     'time',

@@ -50,7 +50,7 @@ export async function finishLabels({ decoded, outline, fit }: Labels): Promise<V
     grid: cartesianGrid(dimensions, indexToWorld),
     samples,
     macrocells: buildMacrocells(samples, dimensions),
-    ...(isReduced ? { reduced: { from, to: dimensions } } : {}),
+    ...(isReduced || decoded.reduced ? { reduced: { from: decoded.reduced?.from ?? from, to: dimensions } } : {}),
   };
 }
 

@@ -6,8 +6,8 @@ const maxFiles = 2 ** 14;
 /** Folders in each other. */
 const maxDepth = 32;
 
-/** What systems add to folders by themselves. */
-const litter = /^(\..*|__MACOSX|Thumbs\.db|desktop\.ini)$/i;
+/** What systems add to folders by themselves; the metadata of a Zarr have such names too. */
+const litter = /^(\.(?!z(array|attrs|group|metadata)$).*|__MACOSX|Thumbs\.db|desktop\.ini)$/i;
 
 /** Whether something has files, before it is dropped: until then nobody may see them. */
 export function hasFiles(data: DataTransfer | null): boolean {

@@ -2,6 +2,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { explainFetch } from './explain-fetch.ts';
 import type { Download } from './download.ts';
+import { pause } from './pause.ts';
 import { readRetryAfter } from './retry-after.ts';
 
 // Loaded when the first attempt to fetch a file failed.
@@ -76,19 +77,4 @@ function readTag({ origin, url, options }: Download): string | null {
   if (!origin || !tag?.startsWith('"') || origin.headers.has('content-encoding')) return null;
   if (origin.headers.get('accept-ranges') !== 'bytes') return null;
   return new URL(origin.url || url).origin === options.pageOrigin ? tag : null;
-}
-
-/** @throws the signal's reason */
-function pause(ms: number, signal?: AbortSignal): Promise<void> {
-  return new Promise((resolve, reject) => {
-    const stop = (): void => {
-      clearTimeout(timer);
-      reject(signal!.reason as Error);
-    };
-    const timer = setTimeout(() => {
-      signal?.removeEventListener('abort', stop);
-      resolve();
-    }, ms);
-    signal?.addEventListener('abort', stop, { once: true });
-  });
 }

@@ -1,18 +1,9 @@
 import type { DecodedCartesianVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
 import type { FolderAccess } from '../formats/base/format.ts';
-import type { CoarseListener, LoadRequest } from '../formats/base/load-request.ts';
-import { finishVolume } from '../formats/finish-volume.ts';
 import type { ByteStore } from './byte-store.ts';
 import { GroupReader } from './group-reader.ts';
-
-/** The load for which files are read. */
-export interface FolderLoad {
-  readonly request: Pick<LoadRequest, 'limits' | 'settings'>;
-  /** Receives the bytes that are read of all files together. */
-  readonly onProgress: (loaded: number, total: number) => void;
-  /** Taken away when a part was shown: what else stands in for the volume would come late. */
-  onCoarse?: CoarseListener;
-}
+import { showPart } from './show-part.ts';
+import type { FolderLoad } from './show-part.ts';
 
 interface FolderOptions {
   readonly load: FolderLoad;
@@ -81,16 +72,8 @@ export class FolderReader implements FolderAccess {
     this.#total = rest.reduce((sum, bytes) => sum + bytes, this.#loaded);
   }
 
-  async showPart(part: DecodedCartesianVolume, grid: DecodedCartesianVolume['grid']): Promise<void> {
-    const { request, onCoarse } = this.options.load;
-    const limits = await request.limits;
-    // What is wrong with a part is so with the whole, which says it.
-    const volume = await finishVolume(part, limits, undefined, request.settings?.clean).catch(() => null);
-    // Of labels there are no values between two slices.
-    if (!onCoarse || !volume || volume.isDiscrete) return;
-    const { samples: _few, macrocells: _ofFew, ...of } = volume;
-    this.options.load.onCoarse = undefined;
-    onCoarse({ volume: { ...volume, coarse: true }, of: { ...of, grid } });
+  showPart(part: DecodedCartesianVolume, grid: DecodedCartesianVolume['grid']): Promise<void> {
+    return showPart(this.options.load, part, grid);
   }
 
   /** @param bytes - from its start */

@@ -9,14 +9,16 @@ import type { FetchOptions } from './download.ts';
 import { findVolume, isLitter } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
 import { FolderReader } from './folder-reader.ts';
-import type { FolderLoad } from './folder-reader.ts';
 import { HttpStore } from './http-store.ts';
 import { LocalStore } from './local-store.ts';
 import { MemoryStore } from './memory-store.ts';
 import { openHandles } from './open-handles.ts';
 import type { OpenedFiles } from './opened-files.ts';
 import { PrivateStore, reasonOf } from './private-store.ts';
+import { isZarr } from './is-zarr.ts';
 import { isZip } from './is-zip.ts';
+import type { FolderLoad } from './show-part.ts';
+import { openTree } from './store-tree.ts';
 import { ZipStore } from './zip-store.ts';
 
 type OpenOptions = Pick<FindOptions, 'isStack' | 'signal'> & {
@@ -29,7 +31,7 @@ const archiveBase = 'https://archive.invalid/';
 
 /**
  * Finds the one volume in an archive or in chosen files.
- * @param given - the archive, the files, or the address of a series on a DICOMweb server
+ * @param given - the archive, the files, or the address of a series on a DICOMweb server or of a Zarr
  * @throws {VolumeViewError} `format/…`, `source/…`, `attribute/invalid`
  */
 export async function openFiles(
@@ -37,10 +39,16 @@ export async function openFiles(
   options: OpenOptions,
   reading: Omit<FetchOptions, 'onProgress'> = { pageOrigin: '' },
 ): Promise<OpenedFiles> {
-  if (typeof given === 'string') return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading);
+  if (typeof given === 'string') {
+    if (isZarr(given)) return (await import('./open-zarr.ts')).openZarr(given, reading, options.load);
+    return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading);
+  }
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
   const files = await openHandles(given.files);
-  const store = await PrivateStore.of(new LocalStore(files, given.base), given.base, isLitter);
+  const chosen = new LocalStore(files, given.base);
+  const tree = await openTree(chosen, given.base, options.load, 'files');
+  if (tree) return tree;
+  const store = await PrivateStore.of(chosen, given.base, isLitter);
   const [only, ...others] = await store.list();
   if (!only)
     throw new VolumeViewError(
@@ -57,6 +65,8 @@ export async function openFiles(
     );
   // Its name, and those in it, may be those of patients.
   const zip = await ZipStore.open(store, only, archiveBase, 'that was chosen');
+  const zipped = await openTree(zip, archiveBase, options.load, 'archive');
+  if (zipped) return zipped;
   return openStore(
     await PrivateStore.of(zip, archiveBase, isLitter),
     'the ZIP archive that was chosen',
@@ -67,6 +77,8 @@ export async function openFiles(
 
 async function openZip(store: ByteStore, url: string, name: string, options: OpenOptions): Promise<OpenedFiles> {
   const zip = await ZipStore.open(store, url, archiveBase, name);
+  const tree = await openTree(zip, archiveBase, options.load, 'archive');
+  if (tree) return tree;
   return openStore(zip, `the ZIP archive ${name}`, archiveBase, options);
 }
 

@@ -8,6 +8,7 @@ import { maxFileBytes } from '../sources/download.ts';
 import { fetchBytes } from '../sources/fetch-bytes.ts';
 import type { FetchOne } from '../sources/fetch-files.ts';
 import { isDicomWeb } from '../sources/is-dicomweb.ts';
+import { isZarr } from '../sources/is-zarr.ts';
 import { isZip } from '../sources/is-zip.ts';
 import type { OpenedFiles } from '../sources/opened-files.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
@@ -78,7 +79,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     yield* fetchInOrder(urls, fetchOne, load.onProgress);
   };
   const start = async (): Promise<DecodeInput> => {
-    let first = request.local || isDicomWeb(url) ? null : await fetchFile(url);
+    let first = request.local || isDicomWeb(url) || isZarr(url) ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
     if (first?.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
     if (!first || (isZip(first.bytes) && !files?.[1])) {
@@ -106,6 +107,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       budget,
       request,
       folder: opened?.folder,
+      tree: opened?.tree,
       ...reading,
     });
   };

@@ -1,12 +1,15 @@
-// Reads a volume of a file that holds several, by a part of that file. Loaded when it is needed.
+// Reads a volume of a file that holds several, by a part of that file, or of many files. Loaded when it is needed.
 import type { DecodedVolume, DecodeInput, DecodeSettings } from '../formats/base/decoded-volume.ts';
 import type { Budget } from '../formats/base/budget.ts';
+import { checkGeometry } from '../formats/base/check-geometry.ts';
 import { decodeFile } from '../formats/decode.ts';
 import type { DecodeContext } from '../formats/decode.ts';
 import type { PlaceData, ScanData } from '../formats/base/scan-data.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 import { readPlaceOverTime } from '../formats/series/read-place-over-time.ts';
 import { readPlacedScan } from '../formats/series/read-scan.ts';
+import type { FileTree } from '../formats/zarr/file-tree.ts';
+import { loadReader } from '../formats/base/load-reader.ts';
 import type { FetchOptions } from '../sources/download.ts';
 import { HttpStore } from '../sources/http-store.ts';
 import { LocalStore } from '../sources/local-store.ts';
@@ -19,8 +22,18 @@ export async function decodeScan(
   first: DecodeInput | null,
   settings: DecodeSettings,
   options: DecodeContext &
-    Pick<FetchOptions, 'signal' | 'pageOrigin' | 'fetch'> & { readonly request: LoadRequest; readonly budget: Budget },
+    Pick<FetchOptions, 'signal' | 'pageOrigin' | 'fetch'> & {
+      readonly request: LoadRequest;
+      readonly budget: Budget;
+      readonly tree?: FileTree;
+    },
 ): Promise<DecodedVolume> {
+  if (options.tree) {
+    const { readZarr } = await loadReader(() => import('../formats/zarr/read-zarr.ts'));
+    const volume = await readZarr(options.tree, settings, { ...options, limits: await options.request.limits });
+    checkGeometry(volume);
+    return volume;
+  }
   const fetchFile: DecodeContext['fetchFile'] = async (url, range) => {
     const { local } = options.request;
     const store =

@@ -13,7 +13,7 @@ export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
 
 type Decoded = Omit<
   Volume,
-  'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse' | 'isDiscrete' | 'referenceLength'
+  'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'coarse' | 'isDiscrete' | 'referenceLength'
 >;
 
 export type DecodedCartesianVolume = Decoded & {

@@ -3,7 +3,15 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import { parseMosaicSize } from '../../volume/mosaic-size.ts';
 import { longest } from '../../volume/grid-limits.ts';
 import type { GivenSource } from '../model/given-source.ts';
-import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from '../model/parse-attributes.ts';
+import {
+  invalid,
+  isNumber,
+  parseLength,
+  parseNumbers,
+  parseRegion,
+  parseWord,
+  split,
+} from '../model/parse-attributes.ts';
 
 /** Metres and degrees above this can't belong to a radar. */
 const farthest = 1e9;
@@ -26,6 +34,8 @@ export function readSource(given: GivenSource): SourceSettings {
     verticalExaggeration,
     clean,
     series,
+    channel,
+    region,
   } = given;
   return {
     spherical:
@@ -50,6 +60,8 @@ export function readSource(given: GivenSource): SourceSettings {
     spacing: spacing === null ? undefined : parseSpacing(spacing),
     clean: clean === null ? undefined : parseClean(clean),
     series: series === null ? undefined : parseCount('series', series),
+    channel: channel === null ? undefined : parseCount('channel', channel),
+    region: region === null ? undefined : (parseRegion(region) ?? undefined),
   };
 }
 

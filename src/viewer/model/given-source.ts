@@ -1,4 +1,4 @@
-/** The attributes that say how a file is to be read, by property. */
+/** The attributes that say how a file is to be read, by property. The region only counts for sources of which no more is read. */
 export const sourceNames = [
   'mosaic',
   'slices',
@@ -12,6 +12,8 @@ export const sourceNames = [
   'verticalExaggeration',
   'clean',
   'series',
+  'channel',
+  'region',
 ] as const;
 
 /** One of them. */

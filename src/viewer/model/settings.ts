@@ -36,7 +36,6 @@ type AttributeName =
   | 'steps'
   | 'maxError'
   | 'targetFps'
-  | 'region'
   | 'rings'
   | 'cameraOrbit'
   | 'cameraTarget'
@@ -126,7 +125,8 @@ export function readSettings(given: GivenAttributes, local?: LocalFiles): Settin
     src: local ? local.base : given.src,
     local,
     stack: given.stack !== null,
-    source: pickSource(given),
+    // Of a Zarr, only the region is read.
+    source: pickSource(/\.(zarr|ozx)/.test(given.src!) ? given : { ...given, region: null }),
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
     playSpeed: read(() =>

@@ -28,6 +28,7 @@ export const stepAttributes: readonly string[] = [
   'auto-rotate',
   'auto-rotate-delay',
   'autoplay',
+  'channel',
   'clean',
   'color-moment',
   'crosshair',

@@ -1,0 +1,95 @@
+import type { Budget } from '../base/budget.ts';
+import type { ProgressListener } from '../base/decoded-volume.ts';
+import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
+import { asNumbers, copyChunk } from './copy-chunk.ts';
+import type { FileTree } from './file-tree.ts';
+import { listChunks } from './list-chunks.ts';
+import type { ArrayBox } from './list-chunks.ts';
+import { readFromShards } from './read-shards.ts';
+import type { ReadPacked } from './read-shards.ts';
+import { loadUnpacker } from './unpack-chunk.ts';
+import { maxChunkBytes } from './zarr-array.ts';
+import type { ZarrArray } from './zarr-array.ts';
+
+/** Chunks that are on their way at once, and the bytes of their numbers. */
+const [atOnce, bytesAtOnce] = [8, 2 ** 28];
+
+interface BoxReading {
+  readonly budget: Budget;
+  readonly signal?: AbortSignal;
+  /** Gets bytes of the box, and all of them. */
+  readonly onProgress: ProgressListener;
+}
+
+/**
+ * Reads a box of an array, the middle first: its numbers in the byte order of the array, i fastest. What is in no chunk has the fill value.
+ * The bytes of the box are taken from the budget.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`, `source/…`; the signal's reason
+ */
+export async function readBox(
+  tree: Pick<FileTree, 'read'>,
+  array: ZarrArray,
+  box: ArrayBox,
+  { budget, signal, onProgress }: BoxReading,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const size = array.type.bytesPerSample;
+  const total = box.dimensions.reduce((product, n) => product * n, size);
+  // Chunks may be missing, so that few bytes of a file may stand for many: the device has room for them, which was looked at before.
+  budget.addFile(total);
+  budget.take(total, 'the volume');
+  const unpack = await loadUnpacker(array, budget);
+  const bytes = new Uint8Array(total);
+  const output = asNumbers(bytes, size);
+  if (array.fill !== 0) output.fill(bitsOf(array) as never);
+  const places = listChunks(array, box);
+  const chunkBytes = array.chunk.reduce((product, n) => product * n, size);
+  // One failure ends the others.
+  const failed = new AbortController();
+  const all = signal ? anyOf(signal, failed) : failed.signal;
+  const read: ReadPacked = array.shards
+    ? readFromShards(tree, { ...array, shards: array.shards }, { budget, signal: all })
+    : (place) => tree.read(array.path + array.fileOf(place), { maxBytes: 2 * maxChunkBytes, signal: all });
+  let [next, done] = [0, 0];
+  const work = async (): Promise<void> => {
+    while (next < places.length) {
+      const place = places[next++];
+      const packed = await read(place);
+      all.throwIfAborted();
+      if (packed) {
+        budget.addFile(packed.length);
+        budget.take(packed.length + chunkBytes, 'a chunk of the Zarr');
+        copyChunk(asNumbers(await unpack(packed), size), place, { array, box, output });
+        budget.giveBack(packed.length + chunkBytes);
+      }
+      done++;
+      onProgress(Math.round((done / places.length) * total), total);
+    }
+  };
+  onProgress(0, total);
+  try {
+    await Promise.all(Array.from({ length: Math.max(1, Math.min(atOnce, bytesAtOnce / chunkBytes)) }, work));
+  } catch (cause) {
+    failed.abort(cause);
+    throw cause;
+  }
+  return bytes;
+}
+
+/** A signal that either of them gives. */
+function anyOf(signal: AbortSignal, other: AbortController): AbortSignal {
+  if (signal.aborted) other.abort(signal.reason);
+  signal.addEventListener('abort', () => other.abort(signal.reason), { once: true, signal: other.signal });
+  return other.signal;
+}
+
+/** The bits of the fill value as the file has them. */
+function bitsOf({ type, fill, littleEndian }: ZarrArray): number | bigint {
+  const size = type.bytesPerSample;
+  const bytes = new Uint8Array(8);
+  const view = new DataView(bytes.buffer);
+  if (type.read.kind === 'floats') view[size === 4 ? 'setFloat32' : 'setFloat64'](0, fill, hostIsLittleEndian);
+  else view.setBigInt64(0, BigInt(Number.isFinite(fill) ? Math.trunc(fill) : 0), hostIsLittleEndian);
+  const own = bytes.slice(0, size);
+  if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);
+  return asNumbers(own, size)[0];
+}

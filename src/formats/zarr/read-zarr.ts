@@ -1,0 +1,196 @@
+import { VolumeViewError } from '../../core/errors.ts';
+import { cartesianGrid } from '../../volume/grid.ts';
+import type { NamedLabel } from '../../volume/labels.ts';
+import { fitVolume } from '../../volume/reduce.ts';
+import type { DeviceLimits } from '../../volume/reduce.ts';
+import type { Budget } from '../base/budget.ts';
+import { chooseScan } from '../base/choose-scan.ts';
+import { cleanName } from '../base/clean-name.ts';
+import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import type { DecodedCartesianVolume, DecodeSettings, ProgressListener } from '../base/decoded-volume.ts';
+import { listLeft } from '../base/list-left.ts';
+import type { ScansListener } from '../base/load-request.ts';
+import { placeVolume } from '../base/place-volume.ts';
+import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
+import { timeAt } from '../series/scan-times.ts';
+import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
+import type { LevelBox } from './choose-level.ts';
+import type { FileTree } from './file-tree.ts';
+import type { ArrayBox } from './list-chunks.ts';
+import { secondsOf } from './ome-units.ts';
+import { openImage } from './open-image.ts';
+import type { OmeImage } from './open-image.ts';
+import { readBox } from './read-box.ts';
+import { listOf, numbersOf, objectOf } from './read-json.ts';
+
+/** The load for which a volume is read. */
+export interface ZarrLoad {
+  /** What the volume has to fit. */
+  readonly limits: DeviceLimits;
+  readonly budget: Budget;
+  readonly signal?: AbortSignal;
+  readonly onProgress: ProgressListener;
+  readonly onScans?: ScansListener;
+}
+
+/** The coarsest level is shown first where the chosen one has at least so many times its voxels. */
+const minForPart = 4;
+
+/** Times that a page can have as scans. */
+const maxTimes = 10_000;
+
+/**
+ * Reads an image of an OME-Zarr: the finest level that the device holds, of a region if there is one. The coarsest level is shown first.
+ * Several times are scans. Source: OME-Zarr 0.5 (ngff.openmicroscopy.org), Zarr 2 and 3 (zarr-specs.readthedocs.io)
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`, `attribute/invalid`, `source/…`; the signal's reason
+ */
+export async function readZarr(
+  tree: FileTree,
+  settings: DecodeSettings,
+  load: ZarrLoad,
+): Promise<DecodedCartesianVolume> {
+  const image = await openImage(tree, settings.series, load);
+  const { axes, levels } = image;
+  const { shape } = levels[0].array;
+  const channel = chooseChannel(image, settings.channel);
+  const { time, times } = chooseTime(image, settings, load);
+  const at = shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? channel : 0));
+  const arrayBox = ({ first, dimensions }: LevelBox): ArrayBox => ({ axes: axes.space, first, dimensions, at });
+  // A region that holds nothing of the volume is an error of the view, which says it.
+  const region =
+    settings.region && levels.every((level) => cutLevel(level, axes, settings.region!)) ? settings.region : null;
+  const boxes = levels.map((level) => cutLevel(level, axes, region)!);
+  const chosen = chooseLevel(boxes, arrayBox, load.limits, axes);
+  const coarsest = boxes[boxes.length - 1];
+  if (!isReadable(chosen, arrayBox(chosen)))
+    throw new VolumeViewError(
+      'format/too-large',
+      `the coarsest level of the ${image.format} has ${chosen.dimensions.join(' x ')} voxels in too many chunks, or in too large ones; expected a pyramid with a smaller level, or larger chunks`,
+    );
+  // As scans, the other times are shown too.
+  const describe = describeWith(image, { channel, time, times, volumes: settings.scan ? 1 : times });
+  const read = async (box: LevelBox, onProgress: ProgressListener): Promise<DecodedCartesianVolume> => {
+    const { array } = box.level;
+    countSampleBytes(`the ${image.format}`, box.dimensions, array.type);
+    const bytes = await readBox(tree, array, arrayBox(box), { ...load, onProgress });
+    const { scale, offset, ...stored } = storeSamples(bytes, array.type, array.littleEndian, {
+      slope: 1,
+      intercept: 0,
+      budget: load.budget,
+      chooseWhole: await wholeNumbersOf(array.type),
+    });
+    return placeVolume(
+      {
+        ...describe,
+        ...stored,
+        grid: cartesianGrid(box.dimensions, worldOfBox(box, axes)),
+        slope: scale,
+        intercept: offset,
+      },
+      settings,
+    );
+  };
+  if (
+    coarsest !== chosen &&
+    minForPart * countVoxels(coarsest) <= countVoxels(chosen) &&
+    isReadable(coarsest, arrayBox(coarsest))
+  ) {
+    const part = await read(coarsest, () => load.onProgress(0, 0));
+    const whole = placeVolume({ ...part, grid: cartesianGrid(chosen.dimensions, worldOfBox(chosen, axes)) }, settings);
+    await tree.showPart(part, whole.grid as DecodedCartesianVolume['grid']);
+    load.budget.giveBack(part.samples.byteLength);
+  }
+  const volume = await read(chosen, load.onProgress);
+  const [finest] = boxes;
+  if (chosen === finest) return volume;
+  // Where even the coarsest level is too large, it is made smaller here, so that it is known from what. Labels have no mean.
+  const { samples, dimensions, indexToWorld } = volume.isLabels
+    ? { ...volume.grid, samples: volume.samples }
+    : fitVolume({ ...volume.grid, samples: volume.samples }, load.limits);
+  return {
+    ...volume,
+    samples,
+    grid: cartesianGrid(dimensions, indexToWorld),
+    reduced: { from: finest.dimensions, to: dimensions },
+    ...(samples !== volume.samples && { indexed: undefined }),
+  };
+}
+
+/** From 0. @param wanted - from 1 */
+function chooseChannel({ axes, levels }: OmeImage, wanted = 1): number {
+  const count = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
+  if (wanted <= count) return wanted - 1;
+  throw new VolumeViewError(
+    'attribute/invalid',
+    `channel got "${wanted}"; expected the number of a channel, from 1 to ${count}.`,
+  );
+}
+
+/** The time that is read, from 0, and the number of times; the page hears of them as scans where it asks for one. */
+function chooseTime(
+  { axes, levels }: OmeImage,
+  { scan }: DecodeSettings,
+  { onScans }: ZarrLoad,
+): { readonly time: number; readonly times: number } {
+  const [{ array, scale, translation }] = levels;
+  const times = axes.time === null ? 1 : array.shape[axes.time];
+  if (axes.time === null || times === 1 || !scan) return { time: 0, times };
+  if (times > maxTimes)
+    throw new VolumeViewError(
+      'format/too-large',
+      `the Zarr has ${times.toLocaleString('en')} times; expected at most ${maxTimes.toLocaleString('en')}`,
+    );
+  const seconds = secondsOf(axes.timeUnit);
+  const step = scale[axes.time] * (seconds ?? NaN);
+  const steps = step > 0 ? { first: translation[axes.time] * seconds!, step, unit: 's' } : null;
+  const known = Array.from({ length: times }, (_, index) => timeAt(index, steps));
+  onScans?.(known);
+  return { time: chooseScan(known, scan).index, times };
+}
+
+/** What all levels of an image have in common. */
+function describeWith(
+  image: OmeImage,
+  {
+    channel,
+    time,
+    times,
+    volumes,
+  }: { readonly channel: number; readonly time: number; readonly times: number; readonly volumes: number },
+): Pick<DecodedCartesianVolume, 'unit' | 'format' | 'window' | 'isLabels' | 'named' | 'left' | 'anatomical'> {
+  const { axes, levels, omero, labels } = image;
+  const { start, end } = objectOf(objectOf(listOf(omero.channels)[channel]).window);
+  const isWindow = typeof start === 'number' && typeof end === 'number' && Number.isFinite(end - start) && start < end;
+  const channels = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
+  const others =
+    channels > 1
+      ? `${channels - 1} of ${channels} channels: the attribute channel chooses which one is shown, now ${channel + 1}`
+      : null;
+  return {
+    unit: '',
+    format: `${image.format}${times > 1 ? `, volume ${time + 1} of ${times}` : ''}`,
+    ...(axes.anatomical && { anatomical: true }),
+    ...(isWindow && !labels && { window: [start, end] as const }),
+    ...(labels && { isLabels: true, named: readLabels(labels) }),
+    ...listLeft(volumes, others, ...image.left),
+  };
+}
+
+/** Colours of labels, 0 to 255, and names. Source: OME-Zarr 0.5, "image-label" metadata */
+function readLabels(labels: ReturnType<typeof objectOf>): readonly NamedLabel[] {
+  const named = new Map<number, NamedLabel>();
+  for (const one of listOf(labels.colors)) {
+    const { 'label-value': id, rgba } = objectOf(one);
+    const color = numbersOf(rgba);
+    if (typeof id !== 'number' || !Number.isSafeInteger(id) || !color || color.length < 3) continue;
+    const [red, green, blue] = color.map((part) => Math.min(1, Math.max(0, part / 255)));
+    named.set(id, { id, name: '', color: [red, green, blue] });
+  }
+  for (const one of listOf(labels.properties)) {
+    const { 'label-value': id, name, class: kind } = objectOf(one);
+    const text = typeof name === 'string' ? name : kind;
+    if (typeof id !== 'number' || !Number.isSafeInteger(id) || typeof text !== 'string') continue;
+    named.set(id, { id, name: cleanName(text), color: named.get(id)?.color ?? null });
+  }
+  return [...named.values()];
+}

@@ -1,0 +1,84 @@
+import { VolumeViewError } from '../core/errors.ts';
+import type { FileTree } from '../formats/zarr/file-tree.ts';
+import { urlInStore } from './byte-store.ts';
+import type { ByteStore } from './byte-store.ts';
+import type { OpenedFiles } from './opened-files.ts';
+import { reasonOf } from './private-store.ts';
+import { showPart } from './show-part.ts';
+import type { FolderLoad } from './show-part.ts';
+
+/** Files that only a Zarr has. */
+const metadata = /^(.*\/)?(zarr\.json|\.zgroup|\.zattrs|\.zarray)$/;
+
+/**
+ * The Zarr in an archive or in chosen files, if there is one: the folder that is the least deep, and has its metadata.
+ * @param base - of the URLs of the store
+ */
+export async function openTree(
+  store: ByteStore,
+  base: string,
+  load: FolderLoad | undefined,
+  kind: NonNullable<OpenedFiles['source']>['kind'],
+): Promise<OpenedFiles | null> {
+  const urls = (await store.list()) ?? [];
+  const folders = urls.flatMap((url) => metadata.exec(decodeURIComponent(url.slice(base.length)))?.slice(1, 2) ?? []);
+  const depth = (folder: string | undefined): number => folder?.split('/').length ?? 0;
+  folders.sort((a, b) => depth(a) - depth(b));
+  if (folders.length === 0) return null;
+  return openedTree(
+    new StoreTree(store, new Set(urls), urlInStore(base, folders[0] ?? '') + (folders[0] ? '/' : '')),
+    load,
+    {
+      kind,
+      count: urls.length,
+    },
+  );
+}
+
+/** What opening a Zarr gives. */
+export function openedTree(
+  files: Pick<FileTree, 'read'>,
+  load: FolderLoad | undefined,
+  source?: OpenedFiles['source'],
+): OpenedFiles {
+  return {
+    first: '',
+    source,
+    tree: {
+      read: files.read.bind(files),
+      async showPart(part, grid) {
+        if (load) await showPart(load, part, grid);
+      },
+    },
+    // Its reader reads all of its files.
+    read: async (url) => ({ bytes: new Uint8Array(), url, contentType: '', missing: 1 }),
+  };
+}
+
+/** A folder of a store. Errors have no names: those of chosen files may be names of patients. */
+class StoreTree implements Pick<FileTree, 'read'> {
+  constructor(
+    private readonly store: ByteStore,
+    private readonly files: ReadonlySet<string>,
+    private readonly folder: string,
+  ) {}
+
+  async read(
+    ...[path, { part, maxBytes, signal } = {}]: Parameters<FileTree['read']>
+  ): Promise<Uint8Array<ArrayBuffer> | null> {
+    const url = urlInStore(this.folder, path);
+    if (!this.files.has(url)) return null;
+    try {
+      let range = part && 'end' in part ? part : undefined;
+      if (part && 'last' in part) {
+        const { size } = await this.store.stat(url);
+        range = { start: Math.max(0, size! - part.last), end: size! };
+      }
+      return (await this.store.read(url, { range, maxBytes, signal })).bytes;
+    } catch (cause) {
+      signal?.throwIfAborted();
+      if (!(cause instanceof VolumeViewError)) throw cause;
+      throw new VolumeViewError(cause.code, `a file of the Zarr can not be read: ${reasonOf(cause)}`);
+    }
+  }
+}
