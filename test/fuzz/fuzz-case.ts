@@ -11,6 +11,8 @@ export interface FilesCase {
   readonly files: readonly FuzzFile[];
   /** Whether all files are one volume's. */
   readonly stack?: true;
+  /** Whether their names are the paths of a folder that is read as a whole. */
+  readonly isTree?: true;
   readonly settings?: DecodeSettings;
 }
 

@@ -11,6 +11,7 @@ import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
 import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 import { tiff } from './grammars/tiff.ts';
+import { zarr } from './grammars/zarr.ts';
 import { zstd } from './grammars/zstd.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
@@ -32,6 +33,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   afni,
   minc,
   zstd,
+  zarr,
   dicom,
   manifest,
   attributes,

@@ -2,7 +2,11 @@ import { VolumeViewError } from '../../src/core/errors.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';
+import { Budget } from '../../src/formats/base/budget.ts';
+import { checkGeometry } from '../../src/formats/base/check-geometry.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
+import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
+import { readZarr } from '../../src/formats/zarr/read-zarr.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -18,6 +22,10 @@ import type { Finding, Verdict } from './verdict.ts';
 const device = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 29 };
 const maxTextureSize = 8192;
 
+/** For folders, where chunks that are not there stand for as much as the device holds: so little that it is seen where more is taken. */
+const smallDevice = { ...device, maxBytes: 2 ** 22 };
+const smallBudget = 2 ** 26;
+
 /** Load a case as the package does, and judge what came of it. */
 export async function judge(one: FuzzCase): Promise<Verdict> {
   if ('attribute' in one) return judgeText(one);
@@ -31,7 +39,9 @@ export async function judge(one: FuzzCase): Promise<Verdict> {
   return { ...answer, finding: finding ?? judgeCost(ms, peak, size), ms, peak, size };
 }
 
-async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding | null> {
+async function load(one: FilesCase): Promise<Finding | null> {
+  if (one.isTree) return loadTree(one);
+  const { files, stack, settings = {} } = one;
   const fetchFile: DecodeContext['fetchFile'] = async (url) => {
     const name = decodeURIComponent(new URL(url).pathname.slice(1));
     const file = files.find((one) => one.name === name);
@@ -52,6 +62,22 @@ async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding
   };
   const volume = await finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
   return judgeVolume(volume);
+}
+
+async function loadTree({ files, settings = {} }: FilesCase): Promise<Finding | null> {
+  const found = new Map(files.map(({ name, bytes }) => [name, bytes] as const));
+  const tree: FileTree = {
+    async read(path, { part } = {}) {
+      const bytes = found.get(path);
+      if (!bytes || !part) return bytes?.slice() ?? null;
+      return 'end' in part ? bytes.slice(part.start, part.end) : bytes.slice(Math.max(0, bytes.length - part.last));
+    },
+    showPart: async (part) => void (await finishVolume(part, smallDevice)),
+  };
+  const load = { limits: smallDevice, budget: new Budget(smallBudget), onProgress: () => undefined };
+  const decoded = await readZarr(tree, settings, load);
+  checkGeometry(decoded);
+  return judgeVolume(await finishVolume(decoded, smallDevice));
 }
 
 /** What a page does with a volume before it is drawn, and whether all numbers are ones that can be drawn with. */

@@ -42,7 +42,7 @@ export function worldOfBox({ level, first }: LevelBox, axes: OmeAxes): Matrix4 {
   const world = worldOf(level, axes);
   return world.map((one, at) =>
     at % 4 === 3 && at < 12 ? one + first[(at - 3) / 4] * world[5 * ((at - 3) / 4)] : one,
-  ) as unknown as Matrix4;
+  );
 }
 
 /**

@@ -28,9 +28,9 @@ export function copyChunk(
   const [source, target] = [chunk as Uint8Array, output as Uint8Array];
   const steps: number[] = [];
   let step = 1;
-  for (const axis of [...array.order].reverse()) {
-    steps[axis] = step;
-    step *= array.chunk[axis];
+  for (let i = array.order.length - 1; i >= 0; i--) {
+    steps[array.order[i]] = step;
+    step *= array.chunk[array.order[i]];
   }
   const origin = place.map((n, axis) => n * array.chunk[axis]);
   let start = 0;

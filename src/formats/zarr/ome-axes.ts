@@ -98,6 +98,6 @@ function orderSpace(axes: readonly Axis[], inSpace: readonly number[]): [number,
     byName[0] !== undefined &&
     byName[1] !== undefined;
   if (isNamed) return [byName[0]!, byName[1]!, byName[2] ?? null];
-  const [x, y, z = null] = [...inSpace].reverse();
-  return [x, y, z];
+  const last = inSpace.length - 1;
+  return [inSpace[last], inSpace[last - 1], inSpace[last - 2] ?? null];
 }

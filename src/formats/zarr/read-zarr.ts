@@ -1,27 +1,24 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
-import type { NamedLabel } from '../../volume/labels.ts';
 import { fitVolume } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Budget } from '../base/budget.ts';
 import { chooseScan } from '../base/choose-scan.ts';
-import { cleanName } from '../base/clean-name.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume, DecodeSettings, ProgressListener } from '../base/decoded-volume.ts';
-import { listLeft } from '../base/list-left.ts';
 import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { timeAt } from '../series/scan-times.ts';
 import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
 import type { LevelBox } from './choose-level.ts';
+import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
 import type { ArrayBox } from './list-chunks.ts';
 import { secondsOf } from './ome-units.ts';
 import { openImage } from './open-image.ts';
 import type { OmeImage } from './open-image.ts';
 import { readBox } from './read-box.ts';
-import { listOf, numbersOf, objectOf } from './read-json.ts';
 
 /** The load for which a volume is read. */
 export interface ZarrLoad {
@@ -68,7 +65,7 @@ export async function readZarr(
       `the coarsest level of the ${image.format} has ${chosen.dimensions.join(' x ')} voxels in too many chunks, or in too large ones; expected a pyramid with a smaller level, or larger chunks`,
     );
   // As scans, the other times are shown too.
-  const describe = describeWith(image, { channel, time, times, volumes: settings.scan ? 1 : times });
+  const describe = describeImage(image, { channel, time, times, volumes: settings.scan ? 1 : times });
   const read = async (box: LevelBox, onProgress: ProgressListener): Promise<DecodedCartesianVolume> => {
     const { array } = box.level;
     countSampleBytes(`the ${image.format}`, box.dimensions, array.type);
@@ -97,7 +94,7 @@ export async function readZarr(
   ) {
     const part = await read(coarsest, () => load.onProgress(0, 0));
     const whole = placeVolume({ ...part, grid: cartesianGrid(chosen.dimensions, worldOfBox(chosen, axes)) }, settings);
-    await tree.showPart(part, whole.grid as DecodedCartesianVolume['grid']);
+    await tree.showPart(part, whole.grid);
     load.budget.giveBack(part.samples.byteLength);
   }
   const volume = await read(chosen, load.onProgress);
@@ -146,51 +143,4 @@ function chooseTime(
   const known = Array.from({ length: times }, (_, index) => timeAt(index, steps));
   onScans?.(known);
   return { time: chooseScan(known, scan).index, times };
-}
-
-/** What all levels of an image have in common. */
-function describeWith(
-  image: OmeImage,
-  {
-    channel,
-    time,
-    times,
-    volumes,
-  }: { readonly channel: number; readonly time: number; readonly times: number; readonly volumes: number },
-): Pick<DecodedCartesianVolume, 'unit' | 'format' | 'window' | 'isLabels' | 'named' | 'left' | 'anatomical'> {
-  const { axes, levels, omero, labels } = image;
-  const { start, end } = objectOf(objectOf(listOf(omero.channels)[channel]).window);
-  const isWindow = typeof start === 'number' && typeof end === 'number' && Number.isFinite(end - start) && start < end;
-  const channels = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
-  const others =
-    channels > 1
-      ? `${channels - 1} of ${channels} channels: the attribute channel chooses which one is shown, now ${channel + 1}`
-      : null;
-  return {
-    unit: '',
-    format: `${image.format}${times > 1 ? `, volume ${time + 1} of ${times}` : ''}`,
-    ...(axes.anatomical && { anatomical: true }),
-    ...(isWindow && !labels && { window: [start, end] as const }),
-    ...(labels && { isLabels: true, named: readLabels(labels) }),
-    ...listLeft(volumes, others, ...image.left),
-  };
-}
-
-/** Colours of labels, 0 to 255, and names. Source: OME-Zarr 0.5, "image-label" metadata */
-function readLabels(labels: ReturnType<typeof objectOf>): readonly NamedLabel[] {
-  const named = new Map<number, NamedLabel>();
-  for (const one of listOf(labels.colors)) {
-    const { 'label-value': id, rgba } = objectOf(one);
-    const color = numbersOf(rgba);
-    if (typeof id !== 'number' || !Number.isSafeInteger(id) || !color || color.length < 3) continue;
-    const [red, green, blue] = color.map((part) => Math.min(1, Math.max(0, part / 255)));
-    named.set(id, { id, name: '', color: [red, green, blue] });
-  }
-  for (const one of listOf(labels.properties)) {
-    const { 'label-value': id, name, class: kind } = objectOf(one);
-    const text = typeof name === 'string' ? name : kind;
-    if (typeof id !== 'number' || !Number.isSafeInteger(id) || typeof text !== 'string') continue;
-    named.set(id, { id, name: cleanName(text), color: named.get(id)?.color ?? null });
-  }
-  return [...named.values()];
 }

@@ -1,0 +1,182 @@
+// An OME-Zarr on a static server of another origin: with faults, with a strict policy, its channels, times, labels and regions.
+import { readFileSync } from 'node:fs';
+import { crc32 } from '../../src/formats/codecs/crc32.ts';
+import { pyramidFiles } from '../helpers/zarr-bytes.ts';
+import type { PyramidCase, ZarrFiles } from '../helpers/zarr-bytes.ts';
+import { startZarr } from '../helpers/zarr-server.ts';
+import type { ZarrFaults, ZarrServer } from '../helpers/zarr-server.ts';
+import { zipBytes } from '../helpers/zip-bytes.ts';
+import { expect, networkLines, open, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+
+// What is not there, and what failed, is a line of the browser's own.
+test.use({ allowedLines: networkLines });
+
+const running: ZarrServer[] = [];
+const start = async (files: ZarrFiles, faults: ZarrFaults = {}, name?: string): Promise<ZarrServer> => {
+  const server = await startZarr(files, faults, name);
+  running.push(server);
+  return server;
+};
+test.afterEach(async () => {
+  await Promise.all(running.splice(0).map((server) => server.close()));
+});
+
+const view = (attributes: string, inside = ''): string =>
+  `<main><h1>A brain</h1><volume-view id="v" ${attributes} style="width: 60px; height: 45px" alt="A brain" interaction="none">${inside}</volume-view></main>`;
+
+const pyramid: PyramidCase = { shape: [24, 20, 28], levels: 3, unit: 'millimeter' };
+const shards = { version: 3, chunk: [3, 5, 7], shard: [6, 10, 14] } as const;
+
+for (const [name, made, faults] of [
+  ['of Zarr 2, some chunks of which are missing', { ...pyramid, isMissing: ([z]: readonly number[]) => z === 1 }, {}],
+  ['of Zarr 3 in shards', { ...pyramid, ...shards }, {}],
+  ['in shards on a server that sends no parts', { ...pyramid, ...shards }, { ranges: false }],
+  ['of which a tenth of all requests fails', pyramid, { failEvery: 10 }],
+] as const)
+  test(`an OME-Zarr ${name} is shown`, async ({ page }) => {
+    const server = await start(pyramidFiles(made), faults);
+    await open(page, view(`src="${server.url}"`));
+    await settle(page);
+    const volume = await withElement(page, (one) => one.volume);
+    expect(volume!.dimensions).toEqual([28, 20, 24]);
+    expect(volume!.reduced).toBeUndefined();
+    expect(server.most()).toBeLessThanOrEqual(8);
+    expect(server.running()).toBe(0);
+  });
+
+test('an OME-Zarr in a ZIP archive is read by parts of it', async ({ page }) => {
+  const parts = [...pyramidFiles({ ...pyramid, ...shards })].map(([path, packed]) => ({
+    path,
+    packed,
+    crc: crc32(packed),
+  }));
+  const server = await start(new Map([['', zipBytes(parts)]]), {}, 'brain.ozx');
+  await open(page, view(`src="${server.url}"`));
+  await settle(page);
+  expect(await withElement(page, ({ volume }) => [volume!.dimensions, volume!.source!.kind])).toEqual([
+    [28, 20, 24],
+    'archive',
+  ]);
+});
+
+test('no packing needs WebAssembly, which the policy of the page forbids', async ({ page }) => {
+  const { cases } = JSON.parse(readFileSync('test/fixtures/zarr-fixtures.json', 'utf8')) as {
+    cases: Record<string, { files: Record<string, string> }>;
+  };
+  await open(page, view(''), {
+    head: `<meta http-equiv="Content-Security-Policy" content="default-src 'self'; connect-src *; style-src 'self' 'unsafe-inline'">`,
+  });
+  for (const name of ['v2 blosc lz4 bytes', 'v2 blosc zstd bits', 'v3 zstd', 'v3 shards blosc']) {
+    const files = new Map(
+      Object.entries(cases[name].files).map(([path, text]) => [path, new Uint8Array(Buffer.from(text, 'base64'))]),
+    );
+    const { url } = await start(files);
+    const range = await withElement(
+      page,
+      async (one, src) => {
+        one.src = src;
+        await one.whenRendered();
+        return one.volume!.range;
+      },
+      { argument: url },
+    );
+    expect(range[1] - range[0], name).toBeGreaterThan(10);
+  }
+});
+
+test('a view that leaves the page asks for nothing any more', async ({ page }) => {
+  const server = await start(pyramidFiles({ shape: [40, 40, 40] }), { slowMs: 100 });
+  await open(page, view(`src="${server.url}"`));
+  await expect.poll(() => server.asked.length).toBeGreaterThan(10);
+  await withElement(page, (one) => one.remove());
+  await page.waitForTimeout(200);
+  const { length } = server.asked;
+  await page.waitForTimeout(300);
+  expect(server.asked.length).toBe(length);
+  expect(server.running()).toBe(0);
+  expect(length).toBeLessThan(500);
+});
+
+test('one of its channels is shown, and another one when the attribute says so', async ({ page }) => {
+  const channels = [1, 2].map((n) => ({ window: { start: 1000 * n, end: 20_000 * n, min: 0, max: 65_535 } }));
+  const server = await start(pyramidFiles({ axes: 'czyx', shape: [2, 8, 8, 8], attributes: { omero: { channels } } }));
+  await open(page, view(`src="${server.url}"`));
+  await settle(page);
+  const look = (): Promise<unknown> =>
+    withElement(page, ({ volume, optics }) => [volume!.range[0] > 10_000, volume!.left, optics!.window]);
+  expect(await look()).toMatchObject([false, [expect.stringContaining('1 of 2 channels')], [1000, 20_000]]);
+  await withElement(page, async (one) => {
+    one.channel = 2;
+    await one.whenRendered();
+  });
+  expect(await look()).toMatchObject([true, [expect.stringContaining('now 2')], [2000, 40_000]]);
+});
+
+test('its times are scans', async ({ page }) => {
+  const server = await start(
+    pyramidFiles({ axes: 'tzyx', shape: [3, 8, 8, 8], timeUnit: 'second', scale: [2, 1, 1, 1] }),
+  );
+  await open(page, view(`src="${server.url}" time="2 s"`));
+  await settle(page);
+  expect(await withElement(page, (one) => [one.times, one.scan])).toEqual([
+    ['0 s', '2 s', '4 s'],
+    { index: 1, time: '2 s', count: 3 },
+  ]);
+  await withElement(page, async (one) => {
+    one.next();
+    await one.whenRendered();
+  });
+  expect(await withElement(page, (one) => one.scan!.index)).toBe(2);
+});
+
+test('a region is read finer than the whole', async ({ page }) => {
+  // A device that holds little.
+  await page.addInitScript(() => Object.defineProperty(navigator, 'deviceMemory', { value: 8 / 2 ** 20 }));
+  const server = await start(pyramidFiles({ ...pyramid, shape: [32, 32, 32] }));
+  await open(page, view(`src="${server.url}"`));
+  await settle(page);
+  const shown = (): Promise<unknown> => withElement(page, ({ volume }) => [volume!.dimensions, volume!.reduced?.from]);
+  const [all] = (await shown()) as [number[]];
+  expect(Math.max(...all)).toBeLessThan(32);
+  await withElement(page, async (one) => {
+    one.region = [-15, -15, 8, -8, -8, 15];
+    await one.whenRendered();
+  });
+  expect(await shown()).toEqual([[8, 8, 8], undefined]);
+});
+
+test('its labels are those of <volume-labels>, with their colours', async ({ page }) => {
+  const files = pyramidFiles(pyramid);
+  const labels = pyramidFiles({
+    ...pyramid,
+    type: 'uint8',
+    valueAt: ({ x }) => (x > 14 ? 7 : 2),
+    attributes: {
+      'image-label': {
+        colors: [{ 'label-value': 7, rgba: [255, 0, 0, 255] }],
+        properties: [{ 'label-value': 7, name: 'cortex' }],
+      },
+    },
+  });
+  for (const [path, bytes] of labels) files.set(`labels/cells/${path}`, bytes);
+  const server = await start(files);
+  await open(
+    page,
+    view(`src="${server.url}"`, `<volume-labels id="l" src="${server.url}/labels/cells"></volume-labels>`),
+  );
+  await settle(page);
+  const found = await page.evaluate(
+    () => (document.querySelector('volume-labels') as unknown as { labels: readonly unknown[] }).labels,
+  );
+  expect(found).toMatchObject(expect.arrayContaining([expect.objectContaining({ id: 7, name: 'cortex' })]));
+});
+
+test('what is no Zarr is refused in words', async ({ page }) => {
+  const server = await start(new Map());
+  await open(page, view(`src="${server.url}"`));
+  const { detail } = await waitForEvent(page, 'error');
+  expect(detail).toMatchObject({
+    code: 'format/unsupported',
+    message: expect.stringContaining('is no Zarr') as unknown as string,
+  });
+});

@@ -1,0 +1,107 @@
+import { deflateSync, gzipSync } from 'node:zlib';
+import { jsonBytes, pyramidFiles } from '../../helpers/zarr-bytes.ts';
+import { little } from '../bytes.ts';
+import { damage } from '../fuzz-case.ts';
+import type { FilesCase, Grammar } from '../fuzz-case.ts';
+import type { Random } from '../random.ts';
+
+/** What may stand in metadata in place of anything. */
+const odd = [
+  null,
+  0,
+  -1,
+  1e9,
+  2 ** 31,
+  2 ** 53,
+  0.5,
+  1e-300,
+  1e300,
+  '',
+  'x',
+  '../..',
+  [],
+  {},
+  [1e9, 1e9, 1e9],
+  [0],
+  true,
+] as const;
+
+/** Pyramids of Zarr 2 and 3 with metadata and chunks that lie: shapes, chunks, shards, transforms, packings. Source: zarr-specs, OME-Zarr 0.5 */
+export const zarr: Grammar = (random): FilesCase => {
+  const version = random.pick([2, 3] as const);
+  const axes = random.pick(['zyx', 'czyx', 'tzyx', 'xyz', 'yx', 'tczyx']);
+  const shape = Array.from(axes, (name) => ('xyz'.includes(name) ? random.int(1, 9) : random.int(1, 3)));
+  const chunk = shape.map((n) => random.int(1, n));
+  const files = pyramidFiles({
+    version,
+    axes,
+    shape,
+    chunk,
+    shard: version === 3 && random.chance(0.5) ? chunk.map((n) => n * random.int(1, 3)) : undefined,
+    type: random.pick(['uint8', 'uint16', 'float32'] as const),
+    levels: random.int(1, 3),
+    ...(random.chance(0.2) && {
+      attributes: { 'image-label': { colors: [{ 'label-value': 1, rgba: [255, 0, 0, 255] }] } },
+    }),
+  });
+  const isPacked = version === 2 && random.chance(0.5);
+  const compressor = random.isSound ? 'gzip' : random.pick(['gzip', 'zlib', 'blosc', 'zstd', 'lz4', 'bz2']);
+  for (const [path, bytes] of files) {
+    if (/json$|\/?\.z/.test(path)) {
+      const metadata = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+      if (isPacked && path.endsWith('.zarray')) metadata.compressor = { id: compressor };
+      if (random.isWild()) change(random, metadata);
+      files.set(path, damageText(random, jsonBytes(metadata)));
+    } else if (random.isWild()) files.delete(path);
+    else files.set(path, damage(random, isPacked ? pack(random, compressor, bytes) : bytes));
+  }
+  return {
+    files: [...files].map(([name, bytes]) => ({ name, bytes })),
+    isTree: true,
+    settings: {
+      ...(random.chance(0.2) && { region: [random.number(0), -0.005, 0, random.number(-0.005), 0, 0.004] }),
+      ...(random.chance(0.2) && { scan: { index: random.int(0, 2) } }),
+    },
+  };
+};
+
+/** One value somewhere inside becomes another one. */
+function change(random: Random, value: unknown): void {
+  if (typeof value !== 'object' || value === null) return;
+  const keys = Object.keys(value);
+  if (keys.length === 0) return;
+  const key = random.pick(keys);
+  const inner: unknown = Reflect.get(value, key);
+  if (typeof inner === 'object' && inner !== null && random.chance(0.8)) change(random, inner);
+  else Reflect.set(value, key, random.pick(odd));
+}
+
+/** A metadata file is seldom cut. */
+const damageText = (random: Random, bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> =>
+  random.isWild() ? damage(random, bytes) : bytes;
+
+/** Packed as the metadata say, if this can pack it; else noise, with a header that may lie. */
+function pack(random: Random, compressor: string, bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  const size = random.size(bytes.length) % 2 ** 32;
+  switch (compressor) {
+    case 'gzip':
+      return new Uint8Array(gzipSync(bytes));
+    case 'blosc': {
+      const isStored = random.chance(0.5);
+      const out = little()
+        .u8(2, 1, random.or(isStored ? 0x22 : 0x21, 0x01, 0x24, 0x44, 0x61, 0x81, 0xff), random.or(2, 0, 1, 8, 255))
+        .u32(size, random.size(bytes.length || 1) % 2 ** 32);
+      const body = isStored ? bytes : little().u32(20).put(random.bytes(bytes.length)).finish();
+      return out
+        .u32(random.size(16 + body.length) % 2 ** 32)
+        .put(body)
+        .finish();
+    }
+    case 'lz4':
+      return little().u32(size).put(random.bytes(bytes.length)).finish();
+    case 'zlib':
+      return new Uint8Array(deflateSync(bytes));
+    default:
+      return random.chance(0.5) ? new Uint8Array(gzipSync(bytes)) : random.bytes(bytes.length);
+  }
+}
