@@ -49,9 +49,6 @@ export class SourceAttributes extends LookAttributes {
    */
   @property({ kind: number }) series!: number | null;
 
-  /** Which channel of an OME-Zarr is shown where it has several: a number from 1. By default the first. */
-  @property({ kind: number }) channel!: number | null;
-
   /**
    * Hides isolated parts, such as a head rest or specks. It looks at all voxels above a value. A part is hidden if no voxel faces connect
    * it to the largest part or to a part of at least a tenth of its size. By default the value is where the volume begins to be visible. You

@@ -15,7 +15,6 @@
     'color-moment',
     'beam-model',
     'series',
-    'channel',
     'vertical-exaggeration',
     'clean',
     'time',

@@ -46,7 +46,7 @@ export async function openFiles(
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
   const files = await openHandles(given.files);
   const chosen = new LocalStore(files, given.base);
-  const tree = await openTree(chosen, given.base, options.load, 'files');
+  const tree = await openTree(chosen, given.base, options.load, { kind: 'files' });
   if (tree) return tree;
   const store = await PrivateStore.of(chosen, given.base, isLitter);
   const [only, ...others] = await store.list();
@@ -65,7 +65,7 @@ export async function openFiles(
     );
   // Its name, and those in it, may be those of patients.
   const zip = await ZipStore.open(store, only, archiveBase, 'that was chosen');
-  const zipped = await openTree(zip, archiveBase, options.load, 'archive');
+  const zipped = await openTree(zip, archiveBase, options.load, { kind: 'archive' });
   if (zipped) return zipped;
   return openStore(
     await PrivateStore.of(zip, archiveBase, isLitter),
@@ -77,7 +77,7 @@ export async function openFiles(
 
 async function openZip(store: ByteStore, url: string, name: string, options: OpenOptions): Promise<OpenedFiles> {
   const zip = await ZipStore.open(store, url, archiveBase, name);
-  const tree = await openTree(zip, archiveBase, options.load, 'archive');
+  const tree = await openTree(zip, archiveBase, options.load, { kind: 'archive' });
   if (tree) return tree;
   return openStore(zip, `the ZIP archive ${name}`, archiveBase, options);
 }

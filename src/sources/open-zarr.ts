@@ -21,7 +21,8 @@ export async function openZarr(
   reading: Omit<FetchOptions, 'onProgress'>,
   load: FolderLoad | undefined,
 ): Promise<OpenedFiles> {
-  const { origin, pathname, search, protocol } = new URL(address);
+  const { origin, pathname, search, protocol, hash } = new URL(address);
+  const channel = new URLSearchParams(hash.slice(1)).get('channel');
   const options: FetchOptions = { ...reading, onProgress: (...counts) => load?.onProgress(...counts) };
   const isFile = !/\.zarr(\/|$)/i.test(pathname);
   if (!protocol.startsWith('http'))
@@ -30,7 +31,7 @@ export async function openZarr(
       'a Zarr is many files; expected its address on a server, or its folder as files',
     );
   const tree = new HttpTree(origin + (isFile ? pathname : pathname.replace(/\/*$/, '/')), search, options);
-  if (!isFile) return openedTree(tree, load);
+  if (!isFile) return openedTree(tree, load, { channel });
   const archive: ByteStore = {
     list: async () => null,
     stat: async () => ({ size: await tree.size('') }),
@@ -41,7 +42,7 @@ export async function openZarr(
     },
   };
   const zip = await ZipStore.open(archive, address, archiveBase, nameOf(address));
-  const opened = await openTree(zip, archiveBase, load, 'archive');
+  const opened = await openTree(zip, archiveBase, load, { kind: 'archive', channel });
   if (opened) return opened;
   throw new VolumeViewError(
     'format/unknown',

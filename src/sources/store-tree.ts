@@ -18,7 +18,7 @@ export async function openTree(
   store: ByteStore,
   base: string,
   load: FolderLoad | undefined,
-  kind: NonNullable<OpenedFiles['source']>['kind'],
+  { kind, channel }: { readonly kind: NonNullable<OpenedFiles['source']>['kind']; readonly channel?: string | null },
 ): Promise<OpenedFiles | null> {
   const urls = (await store.list()) ?? [];
   const folders = urls.flatMap((url) => metadata.exec(decodeURIComponent(url.slice(base.length)))?.slice(1, 2) ?? []);
@@ -28,10 +28,7 @@ export async function openTree(
   return openedTree(
     new StoreTree(store, new Set(urls), urlInStore(base, folders[0] ?? '') + (folders[0] ? '/' : '')),
     load,
-    {
-      kind,
-      count: urls.length,
-    },
+    { source: { kind, count: urls.length }, channel },
   );
 }
 
@@ -39,12 +36,13 @@ export async function openTree(
 export function openedTree(
   files: Pick<FileTree, 'read'>,
   load: FolderLoad | undefined,
-  source?: OpenedFiles['source'],
+  { source, channel }: { readonly source?: OpenedFiles['source']; readonly channel?: string | null },
 ): OpenedFiles {
   return {
     first: '',
     source,
     tree: {
+      channel,
       read: files.read.bind(files),
       async showPart(part, grid) {
         if (load) await showPart(load, part, grid);

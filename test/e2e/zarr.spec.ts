@@ -97,7 +97,7 @@ test('a view that leaves the page asks for nothing any more', async ({ page }) =
   expect(length).toBeLessThan(900);
 });
 
-test('one of its channels is shown, and another one when the attribute says so', async ({ page }) => {
+test('one of its channels is shown, and another one when the address says so', async ({ page }) => {
   const channels = [1, 2].map((n) => ({ window: { start: 1000 * n, end: 20_000 * n, min: 0, max: 65_535 } }));
   const server = await start(pyramidFiles({ axes: 'czyx', shape: [2, 8, 8, 8], attributes: { omero: { channels } } }));
   await open(page, view(`src="${server.url}"`));
@@ -106,10 +106,10 @@ test('one of its channels is shown, and another one when the attribute says so',
     withElement(page, ({ volume, optics }) => [volume!.range[0] > 10_000, volume!.left, optics!.window]);
   expect(await look()).toMatchObject([false, [expect.stringContaining('1 of 2 channels')], [1000, 20_000]]);
   await withElement(page, async (one) => {
-    one.channel = 2;
+    one.src += '#channel=2';
     await one.whenRendered();
   });
-  expect(await look()).toMatchObject([true, [expect.stringContaining('now 2')], [2000, 40_000]]);
+  expect(await look()).toMatchObject([true, [expect.stringContaining('number 2')], [2000, 40_000]]);
 });
 
 test('its times are scans', async ({ page }) => {

@@ -17,7 +17,6 @@ export const noAttributes: GivenAttributes = {
   verticalExaggeration: null,
   clean: null,
   series: null,
-  channel: null,
   time: null,
   autoplay: null,
   playSpeed: null,

@@ -16,9 +16,10 @@ export interface MemoryTree extends FileTree {
 }
 
 /** @param waits - whether reading takes a moment, as from a server */
-export function memoryTree(files: ZarrFiles, waits = false): MemoryTree {
+export function memoryTree(files: ZarrFiles, waits = false, channel?: string): MemoryTree {
   let running = 0;
   const tree: MemoryTree = {
+    channel,
     asked: [],
     parts: [],
     grids: [],

@@ -73,7 +73,7 @@ export class Budget {
       throw new VolumeViewError(
         'format/too-large',
         `${what} asks for ${say(bytes)} of memory in addition to ${say(this.#held)} that are in use; ` +
-          `a file of ${say(this.#fileBytes)} is allowed ${say(this.allowedBytes)} here. Check the file, or use a smaller one`,
+          `a file of ${say(this.#fileBytes)} is allowed ${say(this.allowedBytes)} here. Check the file`,
       );
     }
     this.step(bytes / bytesPerStep, what);
@@ -96,8 +96,7 @@ export class Budget {
     if (this.#steps <= allowed) return;
     throw new VolumeViewError(
       'format/too-large',
-      `${what} takes more than ${allowed.toLocaleString('en')} steps, the maximum for a file of ${say(this.#fileBytes)}: ` +
-        'it refers to its own parts again and again. Check the file',
+      `${what} takes more than ${allowed.toLocaleString('en')} steps, the maximum for a file of ${say(this.#fileBytes)}. Check the file`,
     );
   }
 }

@@ -15,8 +15,6 @@ export interface SourceSettings extends MosaicSettings, RadarSettings {
   readonly spacing?: Vector3;
   /** Which of several series, from 1; the one with the most voxels where undefined. */
   readonly series?: number;
-  /** Which channel of an image of several, from 1; the first one where undefined. */
-  readonly channel?: number;
   /** What of a pyramid of levels is read: x, y and z of two opposite corners, world; all where undefined. */
   readonly region?: readonly number[];
   /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */

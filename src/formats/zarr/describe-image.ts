@@ -21,7 +21,7 @@ export function describeImage(
   const channels = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
   const others =
     channels > 1
-      ? `${channels - 1} of ${channels} channels: the attribute channel chooses which one is shown, now ${channel + 1}`
+      ? `${channels - 1} of ${channels} channels: number ${channel + 1} is shown, and "#channel=2" after the address shows the second`
       : null;
   return {
     unit: '',

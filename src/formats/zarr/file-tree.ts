@@ -14,6 +14,8 @@ export interface TreeReading {
 
 /** A folder of many files, any part of which can be read, wherever it is. */
 export interface FileTree {
+  /** Which channel its address asks for, as a number from 1: what is after `channel=`; null where it asks for none. */
+  readonly channel?: string | null;
   /**
    * Reads a file, or a part of it, which may have fewer bytes than were asked for.
    * @param path - below the folder, without a slash at its start

@@ -49,7 +49,7 @@ export async function readZarr(
   const image = await openImage(tree, settings.series, load);
   const { axes, levels } = image;
   const { shape } = levels[0].array;
-  const channel = chooseChannel(image, settings.channel);
+  const channel = chooseChannel(image, tree.channel);
   const { time, times } = chooseTime(image, settings, load);
   const at = shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? channel : 0));
   const arrayBox = ({ first, dimensions }: LevelBox): ArrayBox => ({ axes: axes.space, first, dimensions, at });
@@ -114,12 +114,13 @@ export async function readZarr(
 }
 
 /** From 0. @param wanted - from 1 */
-function chooseChannel({ axes, levels }: OmeImage, wanted = 1): number {
+function chooseChannel({ axes, levels }: OmeImage, wanted: string | null = '1'): number {
   const count = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
-  if (wanted <= count) return wanted - 1;
+  const number = Number(wanted ?? 1);
+  if (Number.isInteger(number) && number >= 1 && number <= count) return number - 1;
   throw new VolumeViewError(
     'attribute/invalid',
-    `channel got "${wanted}"; expected the number of a channel, from 1 to ${count}.`,
+    `src got "#channel=${wanted?.slice(0, 40)}"; expected the number of a channel, from 1 to ${count}.`,
   );
 }
 

@@ -34,7 +34,6 @@ export function readSource(given: GivenSource): SourceSettings {
     verticalExaggeration,
     clean,
     series,
-    channel,
     region,
   } = given;
   return {
@@ -60,7 +59,6 @@ export function readSource(given: GivenSource): SourceSettings {
     spacing: spacing === null ? undefined : parseSpacing(spacing),
     clean: clean === null ? undefined : parseClean(clean),
     series: series === null ? undefined : parseCount('series', series),
-    channel: channel === null ? undefined : parseCount('channel', channel),
     region: region === null ? undefined : (parseRegion(region) ?? undefined),
   };
 }

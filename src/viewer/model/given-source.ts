@@ -12,7 +12,6 @@ export const sourceNames = [
   'verticalExaggeration',
   'clean',
   'series',
-  'channel',
   'region',
 ] as const;
 

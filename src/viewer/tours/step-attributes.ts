@@ -28,7 +28,6 @@ export const stepAttributes: readonly string[] = [
   'auto-rotate',
   'auto-rotate-delay',
   'autoplay',
-  'channel',
   'clean',
   'color-moment',
   'crosshair',

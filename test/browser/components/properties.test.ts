@@ -36,7 +36,6 @@ const viewRows: Row[] = [
   ['beamModel', 'beam-model', 'straight', 'straight'],
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
   ['series', 'series', 2, '2'],
-  ['channel', 'channel', 2, '2'],
   ['clean', 'clean', true, ''],
   ['clean', 'clean', -400, '-400'],
   ['time', 'time', 2, '2'],

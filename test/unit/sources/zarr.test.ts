@@ -54,7 +54,7 @@ describe('an OME-Zarr on a server', () => {
       ['https://a.b/x.zarr/labels/cells', true],
       ['https://a.b/x.zarr?sig=1', true],
       ['https://a.b/x.ozx', true],
-      ['https://a.b/x.zarr.zip', true],
+      ['https://a.b/x.zarr#channel=2', true],
       ['https://a.b/x.nii', false],
       ['https://a.b/x.zarr.json', false],
       ['https://a.b/zarr', false],

@@ -199,23 +199,23 @@ describe('an OME-Zarr', () => {
     expect((await readStore(pyramidFiles(cube))).anatomical).to.equal(undefined);
   });
 
-  it('of several channels shows the first, or the one of the attribute, with its window, and says it', async () => {
+  it('of several channels shows the first, or the one of the address, with its window, and says it', async () => {
     const channels = [
       { window: { start: 5, end: 50, min: 0, max: 99 } },
       { window: { start: 900, end: 30_000, min: 0, max: 65_535 } },
     ];
     const files = pyramidFiles({ axes: 'czyx', shape: [2, 4, 4, 4], attributes: { omero: { channels } } });
-    const [first, second] = [await readStore(files), await readStore(files, { channel: 2 })];
+    const [first, second] = [await readStore(files), await readStore(memoryTree(files, false, '2'))];
     expect(first.window).to.deep.equal([5, 50]);
     expect(second.window).to.deep.equal([900, 30_000]);
     const mean = ({ samples, slope, intercept }: typeof first): number =>
       Array.from(samples).reduce((sum, one) => sum + slope * one + intercept, 0) / samples.length;
     expect(mean(second) - mean(first)).to.be.closeTo(10_000, 1e-6);
-    expect(first.left!.join()).to.contain('1 of 2 channels').and.contain('attribute channel');
-    const error = await expectError(readStore(files, { channel: 3 }));
+    expect(first.left!.join()).to.contain('1 of 2 channels').and.contain('#channel=2');
+    const error = await expectError(readStore(memoryTree(files, false, '3')));
     expect([error.code, error.message]).to.deep.equal([
       'attribute/invalid',
-      'channel got "3"; expected the number of a channel, from 1 to 2.',
+      'src got "#channel=3"; expected the number of a channel, from 1 to 2.',
     ]);
   });
 
