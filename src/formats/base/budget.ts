@@ -72,7 +72,7 @@ export class Budget {
     if (!(bytes >= 0 && bytes <= this.leftBytes)) {
       throw new VolumeViewError(
         'format/too-large',
-        `${what} asks for ${say(bytes)} of memory in addition to ${say(this.#held)} that are in use; ` +
+        `${what} asks for ${say(bytes)} of memory in addition to ${say(this.#held)} in use; ` +
           `a file of ${say(this.#fileBytes)} is allowed ${say(this.allowedBytes)} here. Check the file`,
       );
     }

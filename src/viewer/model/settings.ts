@@ -125,8 +125,8 @@ export function readSettings(given: GivenAttributes, local?: LocalFiles): Settin
     src: local ? local.base : given.src,
     local,
     stack: given.stack !== null,
-    // Of a Zarr, only the region is read.
-    source: pickSource(/\.(zarr|ozx)/.test(given.src!) ? given : { ...given, region: null }),
+    // Of a Zarr, only the region is read. That others are read again with a new region, if these letters are in their address, costs no more than time.
+    source: pickSource(/zarr|ozx/.test(given.src!) ? given : { ...given, region: null }),
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
     playSpeed: read(() =>
