@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import type { Locator, Page } from '@playwright/test';
+import { decode } from 'fast-png';
 import { findFaults } from './helpers/axe.ts';
 import { expect, keptTest as test, networkLines, open, settle, withElement } from './helpers/harness.ts';
 import { expectShown, listed, serve, several, timeOf } from './helpers/scans.ts';
@@ -218,4 +219,45 @@ test('asks a server that sends parts for the numbers of the voxel alone', async 
   } finally {
     server.close();
   }
+});
+
+/** Numbers of one of the demo's scans: tiles of 360 radials and 400 gates, four a row; see its manifest. */
+function gateOf(time: string, { sweep, radial, gate }: Record<'sweep' | 'radial' | 'gate', number>): number {
+  const { data, width } = decode(readFileSync(new URL(`../../demos/data/storm-radar-${time}.png`, import.meta.url)));
+  return 0.5 * data[(Math.floor(sweep / 4) * 360 + radial) * width + (sweep % 4) * 400 + gate] - 32.5;
+}
+
+test('has the value of one gate of a radar in each of three scans, as the pixels of their images say', async ({
+  page,
+}) => {
+  const times = ['1500', '1510', '1520'];
+  const src = times.map((time) => `/demos/data/storm-radar-${time}.json`).join(' ');
+  await open(
+    page,
+    `<volume-view id="storm" src="${src}" ${size} alt="Storm"></volume-view><volume-readout for="storm" curve></volume-readout>`,
+  );
+  await settle(page);
+  const places = await withElement(page, async (element) => {
+    const all = [];
+    for (let y = 20; y < element.clientHeight; y += 10)
+      for (let x = 20; x < element.clientWidth; x += 10) {
+        const pick = await element.pick(x, y);
+        if (pick?.radar) all.push({ x, y, gate: pick.radar.gate });
+      }
+    return all;
+  });
+  // The storm moves: a place where each of the scans has a value, and none has the same as another.
+  const found = places.find(({ gate }) => {
+    const values = times.map((time) => gateOf(time, gate));
+    return values.every((value) => value > -32.5) && new Set(values).size === times.length;
+  });
+  expect(found, 'a place with rain').toBeDefined();
+  const box = (await page.locator('volume-view').boundingBox())!;
+  await page.mouse.click(box.x + found!.x, box.y + found!.y);
+  const read = async (): Promise<unknown[]> =>
+    (await tableOf(page)).map(([time, value]) => [/15:[012]0/.exec(time)?.[0], Number.parseFloat(value)]);
+  // One scan is opened after another.
+  await expect
+    .poll(read, { timeout: 30_000 })
+    .toEqual(times.map((time) => [`15:${time.slice(2)}`, gateOf(time, found!.gate)]));
 });
