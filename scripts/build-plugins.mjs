@@ -43,14 +43,14 @@ export function provideBuilt(modules) {
 const pathOf = (name) => join(projectRoot, 'src', `${name.replace(':', '/')}.js`);
 
 /**
- * OpenJPEG, made by Emscripten, as a module: as CommonJS, its bundler's helpers for that would be part of every page. It looks whether it runs
+ * OpenJPEG and CharLS, made by Emscripten, as modules: as CommonJS, its bundler's helpers for that would be part of every page. It looks whether it runs
  * in Node, and would then ask for files; here it never does, as it is given its bytes, and some bundlers refuse its questions.
  */
-export const makeOpenJpegModule = /** @type {import('vite').Plugin} */ ({
-  name: 'volume-view-openjpeg',
+export const makeCodecModules = /** @type {import('vite').Plugin} */ ({
+  name: 'volume-view-codecs',
   enforce: 'pre',
   transform(code, id) {
-    const [, name] = (id.includes('/codec-openjpeg/') && /^\s*var (\w+) = /.exec(code)) || [];
+    const [, name] = (/\/codec-(openjpeg|charls)\//.test(id) && /^\s*var (\w+) = /.exec(code)) || [];
     if (!name) return null;
     const unused = 'var process, require, module, exports, define, __filename, __dirname;';
     return { code: `${unused}${code}\nexport default ${name};`, map: null };

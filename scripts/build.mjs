@@ -23,7 +23,7 @@ import { join } from 'node:path';
 import { build, defaultClientConditions, normalizePath } from 'vite';
 import { buildPrepare } from '../packages/prepare/build.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
-import { exportText, makeOpenJpegModule, provideBuilt, stripTexts } from './build-plugins.mjs';
+import { exportText, makeCodecModules, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { listImports } from './list-imports.mjs';
@@ -96,7 +96,7 @@ async function bundle({ entry, format, output, extra, conditions = ['dist'], bui
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
     // Vite would replace an expression with the real name by an address of the source.
     define: { OWN_URL: 'import.meta.url' },
-    plugins: [provideBuilt(built), stripTexts, makeOpenJpegModule],
+    plugins: [provideBuilt(built), stripTexts, makeCodecModules],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -134,6 +134,7 @@ async function buildUnbundled(workers) {
       ...workers,
       'built:x3dom': exportText(readX3dom()),
       'built:openjpeg-wasm': await buildText(join(projectRoot, 'src/formats/codecs/openjpeg-wasm.ts'), 'es'),
+      'built:charls-wasm': await buildText(join(projectRoot, 'src/formats/codecs/charls-wasm.ts'), 'es'),
       'built:culori': await buildText(join(projectRoot, 'src/optics/transfer/culori.ts'), 'es'),
     },
     extra: {
@@ -208,9 +209,15 @@ function writeLicences() {
     Object.keys(manifest.dependencies ?? {}).forEach(visit);
   };
   const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  [...Object.keys(manifest.dependencies), 'culori', '@cornerstonejs/codec-openjpeg'].forEach(visit);
+  [
+    ...Object.keys(manifest.dependencies),
+    'culori',
+    '@cornerstonejs/codec-openjpeg',
+    '@cornerstonejs/codec-charls',
+  ].forEach(visit);
   // That package names its licence only, and contains another library.
   texts.set('openjpeg', readFileSync(join(projectRoot, 'scripts/licences/openjpeg.txt'), 'utf8').trim());
+  texts.set('charls', readFileSync(join(projectRoot, 'scripts/licences/charls.txt'), 'utf8').trim());
   const rule = `\n\n${'-'.repeat(78)}\n\n`;
   writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
 }

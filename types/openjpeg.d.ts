@@ -2,8 +2,11 @@
 
 /** What Emscripten's start takes, of which this is used. */
 interface OpenJpegOptions {
-  /** Of the library itself, so that it does not look for its file. */
-  readonly wasmBinary?: Uint8Array<ArrayBuffer>;
+  /** Gives it an instance of the library, so that it does not look for its file. */
+  readonly instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ) => object;
   print(text: string): void;
   printErr(text: string): void;
 }

@@ -1,4 +1,5 @@
 import { loadReader } from '../base/load-reader.ts';
+import { beSilent, mayCompile, release, startLibrary } from './start-library.ts';
 
 /** An unpacked picture of JPEG 2000. */
 export interface J2kPicture {
@@ -21,7 +22,7 @@ export type UnpackJ2k = (packed: Uint8Array) => J2kPicture | null;
  * never becomes smaller, so each load of a volume has its own.
  */
 export async function loadOpenJpeg(): Promise<UnpackJ2k> {
-  const { J2KDecoder } = await startLibrary();
+  const { J2KDecoder } = await startOpenJpeg();
   return (packed) => {
     const decoder = new J2KDecoder();
     try {
@@ -48,36 +49,9 @@ export async function loadOpenJpeg(): Promise<UnpackJ2k> {
   };
 }
 
-function release(decoder: OpenJpegDecoder): void {
-  try {
-    decoder.delete();
-  } catch {
-    // A library that has ended by itself has nothing to release.
-  }
-}
-
-async function startLibrary(): Promise<OpenJpegModule> {
-  const silent = { print: () => undefined, printErr: () => undefined };
-  const isNode = !('__dirname' in globalThis) && 'process' in globalThis;
-  // In Node the library asks for its folder, which it does not need: its bytes are given.
-  if (isNode) Reflect.set(globalThis, '__dirname', '');
-  try {
-    if (mayCompile()) {
-      const { startOpenJpeg } = await loadReader(() => import('#openjpeg-wasm'));
-      return await startOpenJpeg(silent);
-    }
-    const { startOpenJpeg } = await loadReader(() => import('#openjpeg-js'));
-    return await startOpenJpeg(silent);
-  } finally {
-    if (isNode) Reflect.deleteProperty(globalThis, '__dirname');
-  }
-}
-
-/** Whether a module without content can be compiled: a policy without 'wasm-unsafe-eval' refuses all. */
-function mayCompile(): boolean {
-  try {
-    return new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)) instanceof WebAssembly.Module;
-  } catch {
-    return false;
-  }
+async function startOpenJpeg(): Promise<OpenJpegModule> {
+  const { startOpenJpeg: start } = mayCompile()
+    ? await loadReader(() => import('#openjpeg-wasm'))
+    : await loadReader(() => import('#openjpeg-js'));
+  return startLibrary(() => start(beSilent()));
 }

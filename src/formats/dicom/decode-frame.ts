@@ -3,8 +3,9 @@ import type { Budget } from '../base/budget.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
 import { applyPalette, samplesPerPixel, writeLuma } from './colors.ts';
-import type { UnpackJ2k } from '../codecs/openjpeg.ts';
+import { isJ2k, noLibraries } from './load-libraries.ts';
 import type { Picture, StoredType } from './picture.ts';
+import type { TransferSyntax } from './transfer-syntax.ts';
 import { unpackRle } from './rle.ts';
 import { unpackJ2k } from './unpack-j2k.ts';
 import { unpackJpeg, unpackJpegColors } from './unpack-jpeg.ts';
@@ -31,26 +32,22 @@ export const arrayOf = {
   float64: Float64Array,
 } as const satisfies Record<StoredType, unknown>;
 
-/** What is unpacked here: by own code, or by a library that is loaded for it. */
-const readable = {
-  none: 'own',
-  RLE: 'own',
-  JPEG: 'own',
-  'lossless JPEG': 'own',
-  'JPEG-LS': 'own',
-  'JPEG 2000': 'library',
-  HTJ2K: 'library',
-} as const;
-
-/** Whether a picture is packed with JPEG 2000, for which a library is needed. */
-export const isJ2k = ({ syntax: { packing } }: Picture): boolean =>
-  packing in readable && readable[packing as keyof typeof readable] === 'library';
+/** How packed pixels are that are read. */
+const readable: ReadonlySet<string> = new Set<TransferSyntax['packing']>([
+  'none',
+  'RLE',
+  'JPEG',
+  'lossless JPEG',
+  'JPEG-LS',
+  'JPEG 2000',
+  'HTJ2K',
+]);
 
 /** Checks that all frames of a picture are there, before memory is used for them. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
 export function checkFrames(picture: Picture): void {
   const { what, pixels, frames, syntax } = picture;
   const { packing } = syntax;
-  if (!(packing in readable)) {
+  if (!readable.has(packing)) {
     throw unsupportedFile(
       what,
       `is packed with ${packing === 'unknown' ? 'a method of its own' : packing}, which volume-view does not read; unpack all files of the series: gdcmconv --raw in.dcm out.dcm`,
@@ -81,14 +78,9 @@ function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): number {
 /**
  * The stored numbers of a frame, row by row: not to be changed, as they may be the file's own bytes.
  * @param frame - from 0
- * @param library - for JPEG 2000; null where no picture has it
+ * @param libraries - those that its packing needs
  */
-export function decodeFrame(
-  picture: Picture,
-  frame: number,
-  budget: Budget,
-  library: UnpackJ2k | null = null,
-): FrameNumbers {
+export function decodeFrame(picture: Picture, frame: number, budget: Budget, libraries = noLibraries): FrameNumbers {
   const { type, pixels, bitsAllocated, syntax, what, colors } = picture;
   const size = frameBytes(picture);
   const there = viewNumbers(picture, frame * size, budget);
@@ -103,7 +95,7 @@ export function decodeFrame(
     const isRle = syntax.packing === 'RLE';
     if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
     else if (isRle) unpackRle(packed, bytes, samplesPerPixel(colors), what);
-    else if (library) bytes.set(unpackJ2k(packed, picture, library));
+    else if (libraries.j2k) bytes.set(unpackJ2k(packed, picture, libraries.j2k));
     const isRgb = syntax.packing === 'JPEG' ? unpackJpegColors(packed, picture, bytes, what) : null;
     // Runs are those of one colour after the other, and the unpacker puts the first one last.
     writeLuma(bytes, isRgb === null ? colors : { kind: isRgb ? 'RGB' : 'YBR', isPlanar: false }, gray, isRle);
@@ -115,8 +107,8 @@ export function decodeFrame(
   else if (syntax.packing === 'RLE') {
     unpackRle(packed, bytes, bitsAllocated / 8, what);
     if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
-  } else if (library && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, library));
-  else numbers.set(unpackJpeg(packed, picture, what));
+  } else if (libraries.j2k && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, libraries.j2k));
+  else numbers.set(unpackJpeg(packed, picture, what, libraries.ls));
   if (isTrimmed(picture)) trimBits(numbers, numbers, picture);
   if (colors) applyPalette(numbers, colors);
   budget.giveBack(taken);

@@ -1,10 +1,11 @@
 // What a page gets of the series in files of DICOM, to choose one.
 import type { SeriesInfo } from '../../volume/volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import { checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
+import { checkFrames, decodeFrame } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { cutTile } from './gather-samples.ts';
 import type { ChosenSeries } from './group-frames.ts';
+import { isJ2k } from './load-libraries.ts';
 import { loadPixels } from './load-pixels.ts';
 import { modalityOf } from './modality.ts';
 

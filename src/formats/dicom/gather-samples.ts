@@ -2,15 +2,14 @@
 import type { Budget } from '../base/budget.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { ReadContext } from '../base/format.ts';
-import { loadReader } from '../base/load-reader.ts';
 import { numberTypes } from '../base/number-types.ts';
 import { readAhead } from '../base/read-ahead.ts';
-import type { UnpackJ2k } from '../codecs/openjpeg.ts';
 import { checkDamage, describeDamage, findDamage } from './damage.ts';
 import type { Damage } from './damage.ts';
-import { arrayOf, checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
+import { arrayOf, checkFrames, decodeFrame } from './decode-frame.ts';
 import type { FrameNumbers } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
+import { loadLibraries } from './load-libraries.ts';
 import { loadPixels } from './load-pixels.ts';
 import type { StoredType } from './picture.ts';
 import type { Stack } from './stack-frames.ts';
@@ -47,7 +46,8 @@ export async function gatherSamples(
   const { budget, folder, onProgress } = context;
   const frames = slices.filter((slice) => slice !== null);
   const damage = new DamagedFrames(frames);
-  const library = frames.some(({ picture }) => isJ2k(picture)) ? await loadLibrary() : null;
+  const pictures = frames.map(({ picture }) => picture);
+  let libraries = await loadLibraries(pictures);
   const scale = findScale(frames);
   const [{ columns, rows }] = frames;
   const pixels = columns * rows;
@@ -72,7 +72,7 @@ export async function gatherSamples(
     const start = k * pixels;
     // Tiles of a mosaic share their picture.
     if (last?.frame.picture !== frame.picture || last.frame.index !== frame.index)
-      last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, library) };
+      last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, libraries) };
     const numbers = cutTile(last.numbers, frame);
     const { slope, intercept } = frame;
     if (scale) all.set(numbers, start);
@@ -107,6 +107,8 @@ export async function gatherSamples(
     } catch (error) {
       damage.add(slices[k]!, error);
       leaveEmpty(k);
+      // A library that met damaged pixels may have ended itself: the other slices get a new one.
+      libraries = await loadLibraries(pictures);
     }
     if (done === early.size && done < order.length) await onFirst({ type, numbers: all, ...kept });
   }
@@ -160,10 +162,6 @@ function findProblem(check: () => void): unknown {
   } catch (error) {
     return error;
   }
-}
-
-async function loadLibrary(): Promise<UnpackJ2k> {
-  return (await loadReader(() => import('../codecs/openjpeg.ts'))).loadOpenJpeg();
 }
 
 function allocate(type: StoredType, lengths: readonly [number, number, number], budget: Budget): FrameNumbers {

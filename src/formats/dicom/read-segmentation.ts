@@ -5,9 +5,9 @@ import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { ReadContext } from '../base/format.ts';
 import { LabelPainter } from '../base/label-painter.ts';
-import { loadReader } from '../base/load-reader.ts';
 import { numberTypes } from '../base/number-types.ts';
-import { checkFrames, decodeFrame, isJ2k } from './decode-frame.ts';
+import { checkFrames, decodeFrame } from './decode-frame.ts';
+import { loadLibraries } from './load-libraries.ts';
 import type { Frame } from './frame.ts';
 import { listFrames } from './list-frames.ts';
 import { readLabelPicture } from './picture.ts';
@@ -65,16 +65,14 @@ export async function readSegmentation(
   const voxels = dimensions.reduce((product, n) => product * n, 1);
   budget.take(countSampleBytes(what, dimensions, numberTypes[type]), what);
   const painter = new LabelPainter(type === 'uint8' ? new Uint8Array(voxels) : new Uint16Array(voxels));
-  const library = isJ2k(picture)
-    ? await (await loadReader(() => import('../codecs/openjpeg.ts'))).loadOpenJpeg()
-    : null;
+  const libraries = await loadLibraries([picture]);
   const pixels = picture.columns * picture.rows;
   for (const [i, { frame, id }] of ordered.entries()) {
     onProgress(i, ordered.length);
     const labelOf = chooseLabels(picture, id, fractions);
     const slices = slicesOf(frame);
     budget.step(pixels / 8, what);
-    const numbers = isBits ? cutBits(picture, frame.index) : decodeFrame(picture, frame.index, budget, library);
+    const numbers = isBits ? cutBits(picture, frame.index) : decodeFrame(picture, frame.index, budget, libraries);
     for (let p = 0; p < pixels; p++) {
       const label = labelOf(numbers[p]);
       if (label > 0) for (const k of slices) painter.paint(k * pixels + p, label);

@@ -1,4 +1,5 @@
 import { corruptFile } from '../base/file-problem.ts';
+import type { UnpackLs } from '../codecs/charls.ts';
 import { unpackColors, unpackDct } from './jpeg-dct.ts';
 import { unpackLossless } from './jpeg-lossless.ts';
 import { unpackLs } from './jpeg-ls.ts';
@@ -16,14 +17,24 @@ interface FrameSize {
 
 /**
  * Unpacks a frame of JPEG (8 and 12 bits), lossless JPEG or JPEG-LS: which of them it is, the stream itself says.
+ * @param charls - a faster way to unpack JPEG-LS; null where there is none
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
-export function unpackJpeg(packed: Uint8Array, size: FrameSize, what: string): Uint16Array {
+export function unpackJpeg(
+  packed: Uint8Array,
+  size: FrameSize,
+  what: string,
+  charls: UnpackLs | null = null,
+): Uint16Array {
   const parts = readFrameParts(packed, size, what);
-  if (parts.components.length !== 1)
-    throw corruptFile(what, `has packed pixels (JPEG) of ${parts.components.length} numbers each; expected 1`);
+  const { coding, components, precision } = parts;
+  if (components.length !== 1)
+    throw corruptFile(what, `has packed pixels (JPEG) of ${components.length} numbers each; expected 1`);
   const numbers = new Uint16Array(size.columns * size.rows);
-  unpackers[parts.coding](parts, numbers);
+  const unpacked = coding === 'LS' ? charls?.(packed, precision) : null;
+  if (unpacked?.length === numbers.length) numbers.set(unpacked);
+  // What the library refuses, our own code unpacks, or says what is wrong with it.
+  else unpackers[coding](parts, numbers);
   return numbers;
 }
 

@@ -7,15 +7,16 @@ import type { Scan } from '../../../helpers/dicom-series.ts';
 import { expectError, valuesOf } from '../../../helpers/decode.ts';
 import { j2kStreams } from '../../../helpers/j2k-streams.ts';
 import type { J2kStream } from '../../../helpers/j2k-streams.ts';
+import { withoutWasm } from '../../../helpers/without-wasm.ts';
 
 const bytesOf = (stream: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(stream), (c) => c.charCodeAt(0));
 
-/** Decodes a file with the streams as its frames. */
-function decode(
+/** A file with the streams as its frames. */
+function fileOf(
   { bits, isSigned, isHt }: Omit<J2kStream, 'values'>,
   fragments: readonly Uint8Array[],
   fields: DicomFields = {},
-): Promise<Scan> {
+): Uint8Array<ArrayBuffer> {
   const all: DicomFields = {
     ...ctSlice(0),
     Modality: 'MR',
@@ -30,22 +31,10 @@ function decode(
     NumberOfFrames: String(fragments.length),
     ...fields,
   };
-  return decodeSeries([dicomBytes(all, { syntax: `1.2.840.10008.1.2.4.${isHt ? 203 : 91}`, fragments })]);
+  return dicomBytes(all, { syntax: `1.2.840.10008.1.2.4.${isHt ? 203 : 91}`, fragments });
 }
 
-/** Runs a task as on a page whose policy does not allow WebAssembly. */
-async function withoutWasm<T>(task: () => Promise<T>): Promise<T> {
-  const native = WebAssembly.Module;
-  const refuse = function () {
-    throw new WebAssembly.CompileError('refused by the policy');
-  };
-  WebAssembly.Module = refuse as unknown as typeof WebAssembly.Module;
-  try {
-    return await task();
-  } finally {
-    WebAssembly.Module = native;
-  }
-}
+const decode = (...file: Parameters<typeof fileOf>): Promise<Scan> => decodeSeries([fileOf(...file)]);
 
 describe('JPEG 2000 and HTJ2K', () => {
   for (const one of j2kStreams) {
@@ -62,6 +51,19 @@ describe('JPEG 2000 and HTJ2K', () => {
     it(`${one.name}, without WebAssembly`, async () =>
       check(valuesOf(await withoutWasm(() => decode(one, [stream, stream])))));
   }
+
+  it('a damaged one among others does not spoil those after it', async () => {
+    const one = j2kStreams.find(({ name }) => name === 'JPEG 2000 of 12 bits, lossless')!;
+    const whole = bytesOf(one.stream);
+    const noisy = whole.map((byte, i) => (i > 120 && i % 3 === 0 ? byte ^ 0x55 : byte));
+    for (const damaged of [whole.slice(0, 100), noisy]) {
+      const files = Array.from({ length: 5 }, (_, k) =>
+        fileOf(one, [k === 1 ? damaged : whole], { ImagePositionPatient: `0\\0\\${k}` }),
+      );
+      const values = valuesOf(await decodeSeries(files));
+      for (const k of [0, 2, 3, 4]) expect(values.slice(90 * k, 90 * (k + 1)), `slice ${k}`).to.deep.equal(one.values);
+    }
+  });
 
   it('damaged ones give a volume or an error in words', async () => {
     let errors = 0;
