@@ -13,6 +13,8 @@ export interface FilesCase {
   readonly stack?: true;
   /** Whether their names are the paths of a folder that is read as a whole. */
   readonly isTree?: true;
+  /** Whether the files are those of a folder that a reader chose. */
+  readonly folder?: true;
   readonly settings?: DecodeSettings;
 }
 

@@ -1,6 +1,6 @@
 import type { Grammar } from './fuzz-case.ts';
 import { attributes } from './grammars/attributes.ts';
-import { dicom } from './grammars/dicom.ts';
+import { dicom, dicomFolder } from './grammars/dicom.ts';
 import { metaImage, nrrd } from './grammars/grid-files.ts';
 import { hdf5, minc } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
@@ -35,6 +35,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   zstd,
   zarr,
   dicom,
+  'dicom-folder': dicomFolder,
   manifest,
   attributes,
 };

@@ -9,6 +9,7 @@ import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
 import { readZarr } from '../../src/formats/zarr/read-zarr.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';
+import { decodeRequest } from '../../src/worker/decode-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { buildPolarTable } from '../../src/radar/polar-table.ts';
 import { layOutRadials } from '../../src/radar/polar-layout.ts';
@@ -41,7 +42,20 @@ export async function judge(one: FuzzCase): Promise<Verdict> {
 
 async function load(one: FilesCase): Promise<Finding | null> {
   if (one.isTree) return loadTree(one);
-  const { files, stack, settings = {} } = one;
+  return judgeVolume(await (one.folder ? loadFolder(one) : loadFiles(one)));
+}
+
+/** As a reader's choice of files is loaded. */
+function loadFolder({ files, settings }: FilesCase): Promise<Volume> {
+  const base = 'https://local-1.invalid/';
+  const chosen = files.map(({ name, bytes }) => new File([bytes], name));
+  return decodeRequest(
+    { url: base, local: { base, files: chosen }, settings, limits: device },
+    { pageOrigin: 'https://example.test', onProgress: () => undefined, onCoarse: () => undefined },
+  );
+}
+
+async function loadFiles({ files, stack, settings = {} }: FilesCase): Promise<Volume> {
   const fetchFile: DecodeContext['fetchFile'] = async (url) => {
     const name = decodeURIComponent(new URL(url).pathname.slice(1));
     const file = files.find((one) => one.name === name);
@@ -60,8 +74,7 @@ async function load(one: FilesCase): Promise<Finding | null> {
     onProgress: () => undefined,
     ...(stack ? { files: urls } : {}),
   };
-  const volume = await finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
-  return judgeVolume(volume);
+  return finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
 }
 
 async function loadTree({ files, settings = {} }: FilesCase): Promise<Finding | null> {

@@ -34,6 +34,7 @@ export async function minimise(oracle, made, verdict) {
   await improve({
     files: made.files,
     ...(made.stack ? { stack: true } : {}),
+    ...(made.folder ? { folder: true } : {}),
     settings: 'mosaic' in (made.settings ?? {}) ? { mosaic: made.settings?.mosaic } : {},
   });
   for (let file = 0; file < made.files.length; file++) {

@@ -1,9 +1,11 @@
 import { ctSlice, dicomBytes, packRle, syntaxes } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm, RawElement } from '../../helpers/dicom-bytes.ts';
 import { segment, segmentationFields } from '../../helpers/dicom-segmentation.ts';
+import { j2kStreams } from '../../helpers/j2k-streams.ts';
+import { jpegColorStreams } from '../../helpers/jpeg-color-streams.ts';
 import { jpegStreams } from '../../helpers/jpeg-streams.ts';
 import { damage } from '../fuzz-case.ts';
-import type { Grammar } from '../fuzz-case.ts';
+import type { FuzzFile, Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
 
 const text = (random: Random, ...numbers: readonly number[]): string =>
@@ -12,20 +14,39 @@ const text = (random: Random, ...numbers: readonly number[]): string =>
 /** DICOM: series of one to six files, with frames or without; sizes, places, scales and lengths that lie. Source: PS3.5 */
 export const dicom: Grammar = (random) => {
   const files = random.or(random.int(1, 6), 1, 2);
-  const step = random.or(5, 0, -3, 1e-9, 1e9);
-  const form = chooseForm(random);
-  const hasFrames = random.chance(0.3);
+  const isFolder = random.chance(0.2);
+  const chosen = writeFiles(random, files);
+  if (isFolder) return { folder: true, files: chosen };
+  return { ...(files > 1 && { stack: true as const }), files: chosen };
+};
+
+/** A folder: a series with enough files for a coarse picture, other series, files twice, and what has no pixels. */
+export const dicomFolder: Grammar = (random) => {
+  const files = writeFiles(random, random.chance(0.3) ? random.int(32, 40) : random.int(1, 6), { isAlike: true });
+  if (random.chance(0.3)) files.push(...writeFiles(random, random.int(1, 3)));
+  if (random.chance(0.2)) files.push(random.pick(files));
+  if (random.chance(0.2)) files.push({ name: 'DICOMDIR', bytes: dicomBytes({ SOPClassUID: '1.2.840.10008.1.3.10' }) });
+  if (random.chance(0.1)) files.push({ name: 'read me.txt', bytes: random.bytes(random.int(0, 50)) });
   return {
-    ...(files > 1 && { stack: true as const }),
-    files: Array.from({ length: files }, (_, k) => ({
-      name: random.or(`${k}.dcm`, 'a', 'a.nii'),
-      bytes: damage(
-        random,
-        writeFile(random, { place: random.isWild() ? random.int(0, 9) : k, step, form, hasFrames }),
-      ),
-    })),
+    folder: true,
+    files: files.map(({ bytes }, i) => ({ name: `${i}`, bytes })),
+    ...(random.chance(0.2) && { settings: { series: random.int(1, 3) } }),
   };
 };
+
+/** @param isAlike - whether the files are slices of one series, with numbers of their own */
+function writeFiles(random: Random, count: number, { isAlike = false } = {}): FuzzFile[] {
+  const step = random.or(5, 0, -3, 1e-9, 1e9);
+  const form = chooseForm(random);
+  const hasFrames = !isAlike && random.chance(0.3);
+  return Array.from({ length: count }, (_, k) => ({
+    name: random.or(`${k}.dcm`, 'a', 'a.nii'),
+    bytes: damage(
+      random,
+      writeFile(random, { place: random.isWild() ? random.int(0, 9) : k, step, form, hasFrames, isAlike }),
+    ),
+  }));
+}
 
 function chooseForm(random: Random): DicomForm {
   return {
@@ -41,16 +62,17 @@ interface FileWish {
   readonly step: number;
   readonly form: DicomForm;
   readonly hasFrames: boolean;
+  readonly isAlike: boolean;
 }
 
-function writeFile(random: Random, { place, step, form, hasFrames }: FileWish): Uint8Array<ArrayBuffer> {
+function writeFile(random: Random, { place, step, form, hasFrames, isAlike }: FileWish): Uint8Array<ArrayBuffer> {
   const frames = hasFrames ? random.int(1, 4) : 1;
   const [rows, columns] = [random.or(3, 4), random.or(4, 5)];
   const isByte = random.or(false, true);
   const length = frames * rows * columns;
   const numbers = isByte ? random.bytes(length) : new Uint16Array(random.bytes(2 * length).buffer);
   const bits = isByte ? 8 : 16;
-  const isPacked = random.chance(0.2) && !form.isDeflated && !form.isImplicit;
+  const isPacked = random.chance(0.3) && !form.isDeflated && !form.isImplicit;
   const z = place * step;
   const fields: DicomFields = {
     ...ctSlice(z),
@@ -81,45 +103,126 @@ function writeFile(random: Random, { place, step, form, hasFrames }: FileWish): 
     PixelPaddingRangeLimit: random.chance(0.1) ? [random.size(9) & 0xffff] : undefined,
     RescaleSlope: text(random, 1),
     RescaleIntercept: text(random, random.pick([0, -1024])),
-    WindowCenter: text(random, 40),
-    WindowWidth: text(random, 400),
+    WindowCenter: random.chance(0.2) ? text(random, 40, 50, -600) : text(random, 40),
+    WindowWidth: random.chance(0.2) ? text(random, 400, 350, 1500) : text(random, 400),
     ...(hasFrames && random.chance(0.7) ? writeGroups(random, frames) : {}),
     PixelData: new Uint8Array(numbers.buffer),
   };
   const raw = listRaw(random);
-  if (random.chance(0.15)) return dicomBytes({ ...fields, ...writeSegmentation(random) }, { ...form, raw });
-  if (!isPacked) return dicomBytes(fields, { ...form, raw });
-  if (random.chance(0.6)) return writeJpeg(random, fields, frames, { ...form, raw });
+  if (!isAlike && random.chance(0.15)) return dicomBytes({ ...fields, ...writeSegmentation(random) }, { ...form, raw });
+  if (!isPacked)
+    return dicomBytes(random.chance(0.15) ? { ...fields, ...writeColors(random, length) } : fields, { ...form, raw });
+  if (random.chance(0.7)) return writeStreams(random, fields, frames, { ...form, raw });
   const size = rows * columns;
   const packed = Array.from({ length: frames }, (_, i) =>
     damage(random, packRle(numbers.subarray(i * size, (i + 1) * size))),
   );
-  const offsets = random.chance(0.5) ? packed.map(() => random.size(0)) : [];
   return dicomBytes(fields, {
     ...form,
-    raw,
     syntax: random.or(syntaxes.rle, '1.2.840.10008.1.2.4.70', '1.2.840.10008.1.2.4.80'),
-    fragments: packed,
-    offsets,
+    ...cutFrames(random, packed, raw),
   });
 }
 
+/** Frames in one piece or in several, with a table of where each begins, one of 64 bits, or none. Source: PS3.5, A.4 */
+function cutFrames(
+  random: Random,
+  frames: readonly Uint8Array<ArrayBuffer>[],
+  raw: readonly RawElement[],
+): Pick<DicomForm, 'fragments' | 'offsets' | 'raw'> {
+  const offsets: number[] = [];
+  const fragments: Uint8Array<ArrayBuffer>[] = [];
+  let at = 0;
+  for (const frame of frames) {
+    offsets.push(at);
+    const cut = random.chance(0.2) ? 2 * random.int(0, frame.length >> 1) : 0;
+    const pieces = cut > 0 && cut < frame.length ? [frame.slice(0, cut), frame.slice(cut)] : [frame];
+    for (const piece of pieces) at += 8 + piece.length + (piece.length % 2);
+    fragments.push(...pieces);
+  }
+  const stated = offsets.map((offset) => random.size(offset));
+  const table = random.pick(['basic', 'extended', 'none'] as const);
+  const long = new Uint8Array(8 * stated.length);
+  stated.forEach((offset, i) => new DataView(long.buffer).setBigUint64(8 * i, BigInt(offset), true));
+  return {
+    fragments,
+    offsets: table === 'basic' ? stated.map((offset) => offset % 2 ** 32) : [],
+    raw: table === 'extended' ? [...raw, { tag: 0x7fe00001, vr: 'OV', value: long }] : raw,
+  };
+}
+
+/** Colours that are not packed: three numbers of a pixel, or one into a palette. */
+function writeColors(random: Random, pixels: number): DicomFields {
+  if (random.chance(0.4)) {
+    const palette = random.bytes(2 * 256);
+    const describe = (): number[] => [random.size(256) & 0xffff, random.or(0, 5), random.or(16, 8)];
+    return {
+      PhotometricInterpretation: 'PALETTE COLOR',
+      ...uncompressed(8),
+      RedPaletteColorLookupTableDescriptor: describe(),
+      GreenPaletteColorLookupTableDescriptor: describe(),
+      BluePaletteColorLookupTableDescriptor: describe(),
+      RedPaletteColorLookupTableData: palette,
+      GreenPaletteColorLookupTableData: random.or(palette, new Uint8Array()),
+      BluePaletteColorLookupTableData: palette,
+      PixelData: random.bytes(pixels),
+    };
+  }
+  const photometric = random.pick(['RGB', 'YBR_FULL', 'YBR_FULL_422']);
+  return {
+    PhotometricInterpretation: photometric,
+    SamplesPerPixel: [random.or(3, 1, 4)],
+    PlanarConfiguration: [photometric === 'YBR_FULL_422' ? 0 : random.int(0, 1)],
+    ...uncompressed(8),
+    PixelData: random.bytes((random.or(photometric === 'YBR_FULL_422' ? 2 : 3, 1) as number) * pixels),
+  };
+}
+
+const uncompressed = (bits: number): DicomFields => ({
+  BitsAllocated: [bits],
+  BitsStored: [bits],
+  HighBit: [bits - 1],
+  PixelRepresentation: [0],
+});
+
+/** What a stream that another program packed is, as a file says it. */
+interface Packed {
+  readonly stream: string;
+  readonly bits: number;
+  readonly isSigned?: boolean;
+  readonly syntax: string;
+  readonly photometric?: string;
+}
+
+const jpegSyntax = '1.2.840.10008.1.2.4';
+const packedStreams: readonly (readonly Packed[])[] = [
+  jpegStreams.map((one) => ({ ...one, syntax: `${jpegSyntax}.80` })),
+  j2kStreams.map((one) => ({ ...one, syntax: `${jpegSyntax}.${one.isHt ? 203 : 91}` })),
+  jpegColorStreams.map((one) => ({ ...one, bits: 8, syntax: `${jpegSyntax}.50` })),
+];
+
 /** Frames of 10 x 9 pixels that other programs packed, some with a byte or two that are wrong. */
-function writeJpeg(random: Random, fields: DicomFields, frames: number, form: DicomForm): Uint8Array<ArrayBuffer> {
-  const { stream, bits } = random.pick(jpegStreams);
-  const fragments = Array.from({ length: frames }, () => {
+function writeStreams(random: Random, fields: DicomFields, frames: number, form: DicomForm): Uint8Array<ArrayBuffer> {
+  const { stream, bits, isSigned = false, syntax, photometric } = random.pick(random.pick(packedStreams));
+  const packed = Array.from({ length: frames }, () => {
     const bytes = Uint8Array.from(atob(stream), (c) => c.charCodeAt(0));
     if (!random.isSound && random.chance(0.4)) bytes[random.int(0, bytes.length - 1)] = random.int(0, 255);
     return damage(random, bytes);
   });
-  const size = {
-    Rows: [random.size(9) & 0xffff],
-    Columns: [random.size(10) & 0xffff],
+  const [columns, rows] = photometric ? [26, 21] : [10, 9];
+  const size: DicomFields = {
+    Rows: [random.size(rows) & 0xffff],
+    Columns: [random.size(columns) & 0xffff],
     BitsAllocated: [random.or(bits > 8 ? 16 : 8, 8, 16, 32)],
     BitsStored: [random.or(bits, 8, 16)],
     HighBit: [bits - 1],
+    PixelRepresentation: [random.or(isSigned ? 1 : 0, 1)],
+    ...(photometric && { PhotometricInterpretation: photometric, SamplesPerPixel: [random.or(3, 1)] }),
   };
-  return dicomBytes({ ...fields, ...size }, { ...form, syntax: '1.2.840.10008.1.2.4.80', fragments });
+  return dicomBytes(
+    { ...fields, ...size },
+    { ...form, syntax: random.or(syntax, `${jpegSyntax}.50`), ...cutFrames(random, packed, form.raw ?? []) },
+  );
 }
 
 /** Elements that readers pass over, with lengths that lie. */
