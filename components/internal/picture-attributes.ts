@@ -21,6 +21,13 @@ export class PictureAttributes extends ViewAttributes {
   @property({ attribute: 'max-error', kind: number }) maxError!: number | null;
 
   /**
+   * With `steps="auto"`: whether a picture at rest keeps small things. `keep`, the default, takes a sample in each voxel of each ray, and a
+   * ray for each pixel. `free` leaves out what `max-error` does not need: it is faster, but single voxels and thin lines may be missing.
+   * @default keep
+   */
+  @property() detail!: 'keep' | 'free' | null;
+
+  /**
    * With `steps="auto"`: frames per second while something moves; steps and pixels are chosen so that the device reaches this rate; 30 by
    * default.
    * @default 30

@@ -33,6 +33,7 @@
     'light-factor',
     'steps',
     'max-error',
+    'detail',
     'target-fps',
     'region',
     'cutout',

@@ -1,8 +1,8 @@
 // In the browser: how many pixels of a picture at rest need a ray, and what is lost where the others are interpolated.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
+import { spareRays } from '../../src/quality/spare-rays.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
 import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
@@ -78,8 +78,10 @@ export async function countRays(
     };
     const full = await draw(volume);
     const without = bare && (await draw(bare));
+    const truth = { data: Uint8Array.from(full, (x) => Math.round(255 * x)), width: size, height: size };
     for (const maxError of errors) {
-      const { data, share } = interpolate(full, curvaturePerError * maxError);
+      const { data, rays } = spareRays(truth, curvaturePerError * maxError);
+      const share = rays / size ** 2;
       const { e, max } = measureTrueError(data, full);
       const reach = Math.max(1, scene.reach * pixelsPerVoxel);
       const things = without
@@ -94,31 +96,4 @@ export async function countRays(
   }
   gl.dispose();
   return results;
-}
-
-/** The picture with rays at every fourth pixel and where it curves, as pictures in motion have them, made from one with all rays. */
-function interpolate(full: Float32Array, maxCurvature: number): { data: Uint8Array; share: number } {
-  const truth = Uint8Array.from(full, (x) => Math.round(255 * x));
-  const data = truth.slice();
-  const quad = emptyQuad();
-  let rays = (size / 4) ** 2;
-  for (const stride of [4, 2]) {
-    const source = { data: data.slice(), width: size, height: size };
-    const half = stride / 2;
-    for (let y = 0; y < size; y += stride) {
-      for (let x = 0; x < size; x += stride) {
-        interpolateQuad(source, stride, [x / stride, y / stride], quad);
-        const needsRays = quad.curvature > maxCurvature;
-        if (needsRays) rays += 4;
-        for (let i = 0; i < 4; i++) {
-          const at = 4 * ((y + half * (i >> 1)) * size + x + half * (i & 1));
-          for (let c = 0; c < 4; c++) {
-            const between = Math.min(255, Math.max(0, Math.round(quad.colors[4 * i + c])));
-            data[at + c] = needsRays ? truth[at + c] : between;
-          }
-        }
-      }
-    }
-  }
-  return { data, share: rays / size ** 2 };
 }

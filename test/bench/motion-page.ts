@@ -6,10 +6,10 @@ import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { unknownErrors } from '../../src/quality/frame-quality.ts';
 import { chooseFrameQuality } from '../../src/quality/choose-frame-quality.ts';
 import type { ErrorModel } from '../../src/quality/frame-quality.ts';
-import { cutsOfLevels } from '../../src/quality/levels.ts';
-import { autoSteps, stepLengthOf, voxelsAlong } from '../../src/quality/steps.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { errorAtHalf } from '../../src/viewer/frames/measure-quality.ts';
 import { ViewQuality } from '../../src/viewer/frames/view-quality.ts';
+import { defaultTargets } from '../../src/viewer/model/quality-targets.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
@@ -141,7 +141,7 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
 async function learn(scene: VolumeScene, { grid }: Volume, size: number): Promise<ErrorModel> {
   const atHalf = errorAtHalf(scene.readPicture());
   const view = { scene, grid, size: { width: size, height: size }, goesOn: () => true };
-  const quality = new ViewQuality(view, { maxError: 1, isAuto: true, cuts: cutsOfLevels(voxelsAlong(grid), 1) });
+  const quality = new ViewQuality(view, defaultTargets);
   const found = await quality.choose();
   return { ...unknownErrors, ...(found && (await quality.learnSteps(found.level, view.goesOn))), atHalf };
 }

@@ -101,6 +101,21 @@ for (const [what, appearance, size, ...more] of [
     '/demos/data/storm-radar-1510.json',
     '<volume-slice type="ppi"></volume-slice>',
   ],
+  ['fog with fewer rays', 'detail="free" max-error="8" shading="unlit"', [200, 160]],
+  [
+    'fog with fewer rays around a shape',
+    'detail="free" max-error="8" shading="unlit"',
+    [200, 160],
+    '/demos/data/mni152-t1.nii.gz',
+    '<Transform translation="0 -60 20"><Shape><Appearance><Material diffuseColor="1 0 0"></Material></Appearance><Sphere radius="25"></Sphere></Shape></Transform>',
+  ],
+  ['surfaces with fewer steps', 'detail="free" max-error="8" surface-values="35% #d8a48f 30%, 72% #fff4e0"', [80, 64]],
+  [
+    'a radar with fewer rays',
+    'detail="free" max-error="8" rings="none"',
+    [120, 96],
+    '/demos/data/storm-radar-1510.json',
+  ],
 ] as const) {
   test(`the same view has the same picture, first or later, in a file and on the screen: ${what}`, async ({ page }) => {
     await open(page, tag(`camera-orbit="40deg 70deg auto" ${appearance}`, [...size], ...more));

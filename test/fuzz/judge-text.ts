@@ -65,6 +65,7 @@ const settings = [
   'transferFunction2d',
   'steps',
   'maxError',
+  'detail',
   'targetFps',
   'region',
   'rings',

@@ -33,6 +33,7 @@ export const noAttributes: GivenAttributes = {
   transferFunction2d: null,
   steps: null,
   maxError: null,
+  detail: null,
   targetFps: null,
   region: null,
   rings: null,

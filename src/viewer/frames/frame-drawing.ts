@@ -126,7 +126,7 @@ export class FrameDrawing {
       height === full.height &&
       steps === plan.steps &&
       substeps === plan.substeps.max &&
-      maxCurvature === 0
+      maxCurvature === plan.sampling.maxCurvature
     );
   }
 }

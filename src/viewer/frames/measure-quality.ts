@@ -161,6 +161,11 @@ export class ErrorProbe {
     return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
   }
 
+  /** Some pixels of a level's picture, in floats; null where the device can't draw them. */
+  drawPart(lattice: PixelLattice, level: Level): Waiting<Float32Array | null> {
+    return this.#drawAt([lattice], level.steps, this.view.cuts.own(level));
+  }
+
   *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {
     for (const one of steps) yield* this.#pair(one, level);
   }

@@ -1,11 +1,10 @@
 import { allSubsteps, wholeSteps } from '../../optics/cells/substeps.ts';
 import type { PictureError } from '../../quality/error-estimate.ts';
-import type { Level } from '../../quality/levels.ts';
 import { unknownErrors, workOfFrame } from '../../quality/frame-quality.ts';
 import type { ErrorModel, FrameQuality } from '../../quality/frame-quality.ts';
 import { allRays } from '../../quality/sampling-outcome.ts';
 import type { SteadyTime } from '../../quality/steady-time.ts';
-import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
+import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { FrameTimer } from '../../quality/time-model.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { loadPart } from '../../core/load-part.ts';
@@ -13,7 +12,7 @@ import { defaultTargets } from '../model/quality-targets.ts';
 import type { QualityTargets } from '../model/quality-targets.ts';
 import type { Scene, Size } from '../model/scene.ts';
 import type * as viewQuality from './view-quality.ts';
-import type { QualityFinding } from './view-quality.ts';
+import type { ChosenSteps, QualityFinding } from './chosen-level.ts';
 
 /** The code that measures the error of pictures is loaded when the first picture is there. */
 function loadTools(): Promise<typeof viewQuality> {
@@ -60,7 +59,7 @@ export const standInFrame: FrameQuality = { ...firstFrame, scale: 0.25 };
 export class QualityControl {
   #targets = defaultTargets;
   /** The level chosen for the present scene by probing its error; null where it has not been probed yet. */
-  #chosen: Level | null = null;
+  #chosen: ChosenSteps | null = null;
   #error: PictureError | null = null;
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
@@ -126,13 +125,13 @@ export class QualityControl {
     if (steps !== 'auto')
       return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
-    const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
+    const level: ChosenSteps = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
     const substeps = this.#tools?.cutsOfLevels(voxelsAlong(grid), maxError).own(level) ?? {
       ...allSubsteps,
       max: level.substeps,
     };
-    return { scale: 1, steps: level.steps, substeps, sampling: allRays };
+    return { scale: 1, steps: level.steps, substeps, sampling: allRays, ...level.free };
   }
 
   /** Whether probing still has to find the steps of a picture at rest. */
@@ -212,14 +211,10 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const { cutsOfLevels, ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
+    const { ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
     if (!goesOn()) return false;
-    const { steps, maxError } = this.#targets;
-    const isAuto = steps === 'auto';
-    const view = new ViewQuality(
-      { scene, grid, size, goesOn },
-      { maxError, isAuto, cuts: cutsOfLevels(voxelsAlong(grid), isAuto ? maxError : null) },
-    );
+    const drawn = { scene, grid, size, goesOn };
+    const view = new ViewQuality(drawn, this.#targets);
     if (this.undecided) {
       const found = await view.choose();
       if (!found) return false;
@@ -234,10 +229,9 @@ export class QualityControl {
       plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep
     )
       return true;
-    if (isAuto)
-      this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
-    else if (!this.#error && plan.steps <= maxAutoSteps)
-      this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.max }));
+    if (this.#targets.steps === 'auto')
+      this.#errors = { ...this.#errors, ...(await learnFrom(drawn, this.#hasSpared)) };
+    else if (!this.#error) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.max }));
     return false;
   }
 

@@ -15,12 +15,13 @@ export async function takePicture(scene: Scene, frames: FrameDrawing, { type, ..
   const { pictures, planAtRest, host } = frames;
   const size = askedSize(host, goal, scene.device.maxTextureSize);
   const own = frames.sizeIn(scene);
-  pictures.drawAtRest(scene, { ...planAtRest, sampling: allRays }, size);
+  // Which pixels can be interpolated was chosen for the element's size.
+  const isOwn = size.width === own.width && size.height === own.height;
+  pictures.drawAtRest(scene, isOwn ? planAtRest : { ...planAtRest, sampling: allRays }, size);
   const blob = await new Promise<Blob | null>((resolve) => {
     scene.canvas.toBlob(resolve, type);
-    // `toBlob` takes the canvas during the call; the element's own picture must be back before the page is painted. At rest all
-    // pixels get rays: if the size is that of the element, the picture is already the right one.
-    if (size.width !== own.width || size.height !== own.height) pictures.drawAtRest(scene, planAtRest, own);
+    // `toBlob` takes the canvas during the call; the element's own picture must be back before the page is painted.
+    if (!isOwn) pictures.drawAtRest(scene, planAtRest, own);
   });
   if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
   return blob;

@@ -2,16 +2,17 @@ import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
 import { forecastSampling } from '../../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../../quality/choose-level.ts';
-import type { ErrorEstimate, PictureError } from '../../quality/error-estimate.ts';
+import type { ErrorEstimate } from '../../quality/error-estimate.ts';
 import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
-import { listLevels } from '../../quality/levels.ts';
+import { cutsOfLevels, listLevels } from '../../quality/levels.ts';
 import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { ErrorModel } from '../../quality/frame-quality.ts';
-import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
+import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { loadPart } from '../../core/load-part.ts';
 import { AdaptivePicture } from '../../renderer/pictures/adaptive-picture.ts';
 import { provideCoarsePictures } from '../../renderer/pictures/adaptive-provider.ts';
 import { provideSubsteps } from '../../renderer/ray/substep-provider.ts';
+import type { AskedQuality, ChosenLevel, QualityFinding } from './chosen-level.ts';
 import type { DrawnView } from '../model/drawn-view.ts';
 import type { Scene } from '../model/scene.ts';
 import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
@@ -32,27 +33,6 @@ provideCoarsePictures((gl) => new AdaptivePicture(gl));
 export async function loadSubsteps(): Promise<void> {
   const { cuttingSteps } = await loadPart(import('../../renderer/ray/substep-part.ts'), 'cuts steps');
   provideSubsteps(cuttingSteps);
-}
-
-/** The quality required of a picture at rest. */
-export interface AskedQuality {
-  /** The error that the picture may have, 1/255: see `keptError`. */
-  readonly maxError: number;
-  /** Whether the viewer chooses the steps. */
-  readonly isAuto: boolean;
-  readonly cuts: LevelCuts;
-}
-
-/** What was measured of a view. */
-export interface QualityFinding {
-  readonly error: PictureError | null;
-  /** Whether that error is within the target. */
-  readonly isKept: boolean;
-}
-
-/** The level that was chosen, and what was measured of it. */
-export interface ChosenLevel extends QualityFinding {
-  readonly level: Level;
 }
 
 /** The probes that chose the level of a scene's last view: pictures in motion are compared with the finest of them. */
@@ -78,6 +58,7 @@ const foretold: readonly number[] = [1, 2, 4];
 
 /** Measures how good pictures of a view are, or would be, by probing its rays. */
 export class ViewQuality {
+  readonly cuts: LevelCuts;
   readonly #probe: ErrorProbe;
 
   constructor(
@@ -85,7 +66,13 @@ export class ViewQuality {
     readonly asked: AskedQuality,
   ) {
     const { scene, grid, size } = view;
-    this.#probe = new ErrorProbe(scene, { grid, size, cuts: asked.cuts });
+    this.cuts = cutsOfLevels(voxelsAlong(grid), this.#isAuto ? asked.maxError : null);
+    this.#probe = new ErrorProbe(scene, { grid, size, cuts: this.cuts });
+  }
+
+  /** Whether the viewer chooses the steps. */
+  get #isAuto(): boolean {
+    return this.asked.steps === 'auto';
   }
 
   /**
@@ -93,6 +80,13 @@ export class ViewQuality {
    * @returns null where the view is no longer needed
    */
   async choose(): Promise<ChosenLevel | null> {
+    if (!this.asked.isFree) return this.chooseUsual();
+    await loadSubsteps(); // As in `measure`.
+    return (await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')).chooseFree(this);
+  }
+
+  /** The same where nothing small may be lost. */
+  async chooseUsual(): Promise<ChosenLevel | null> {
     const {
       view: { scene, grid, goesOn },
       asked: { maxError },
@@ -113,13 +107,24 @@ export class ViewQuality {
       },
       maxError,
     );
-    if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
+    if (choice) this.remember(choice.level);
     const found = choice && (await this.#state(choice.level));
     return found && { level: choice.level, ...found };
   }
 
-  /** Measure the error of a level; null where the view is no longer needed. */
+  /** With the steps of this level and finer ones, pictures in motion are compared. */
+  remember(level: Level): void {
+    lastChosen.set(this.view.scene, { quality: this, level });
+  }
+
+  /** The error of the level that was chosen. */
+  estimate(level: Level): ErrorEstimate | null {
+    return this.#probe.estimate(level);
+  }
+
+  /** Measure the error of an author's steps; null where there are too many to measure it, or the view is no longer needed. */
   async measure(level: Level): Promise<QualityFinding | null> {
+    if (level.steps > maxAutoSteps) return null;
     await loadSubsteps(); // Steps longer than a voxel are compared with steps that are cut.
     return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
   }
@@ -133,14 +138,15 @@ export class ViewQuality {
   async #state(level: Level): Promise<QualityFinding | null> {
     const {
       view: { scene, grid },
-      asked: { isAuto, maxError, cuts },
+      asked: { maxError },
+      cuts,
     } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / voxelsAlong(grid);
     // Matter behind the eye, or outside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
     const cut = cuts.own(level);
-    const codes = isAuto ? scene.detail(cut) : null;
+    const codes = this.#isAuto ? scene.detail(cut) : null;
     const projection = seen && scene.projection(cut);
     const bound = !seen
       ? 0

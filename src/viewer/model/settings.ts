@@ -35,6 +35,7 @@ type AttributeName =
   | 'transferFunction2d'
   | 'steps'
   | 'maxError'
+  | 'detail'
   | 'targetFps'
   | 'rings'
   | 'cameraOrbit'
@@ -212,10 +213,11 @@ function readLimits({ minCameraOrbit, maxCameraOrbit, interpolationDecay: decay 
   };
 }
 
-function readQuality({ steps, maxError, targetFps }: GivenAttributes): QualityTargets {
+function readQuality({ steps, maxError, detail, targetFps }: GivenAttributes): QualityTargets {
   return {
     steps: steps === null ? defaultTargets.steps : parse.parseSteps(steps, maxSteps),
     maxError: maxError === null ? defaultTargets.maxError : parse.parseLength('max-error', maxError),
+    isFree: readWord('detail', detail, ['keep', 'free']) === 'free',
     targetFps: targetFps === null ? defaultTargets.targetFps : parse.parseLength('target-fps', targetFps),
   };
 }

@@ -57,6 +57,7 @@ const viewRows: Row[] = [
   ['steps', 'steps', 200, '200'],
   ['steps', 'steps', 'auto', 'auto'],
   ['maxError', 'max-error', 0.5, '0.5'],
+  ['detail', 'detail', 'free', 'free'],
   ['targetFps', 'target-fps', 60, '60'],
   ['region', 'region', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],
   ['cutout', 'cutout', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],

@@ -198,7 +198,7 @@ async function withViewer(use: (viewer: Viewer, scene: VolumeScene) => Promise<v
     { host, container, visibility, scenes: x3dScenes },
     { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: (error) => failures.push(error) },
   );
-  viewer.setQuality({ steps: 60, maxError: 1, targetFps: 30 });
+  viewer.setQuality({ steps: 60, maxError: 1, isFree: false, targetFps: 30 });
   try {
     await visibility.ask(async () => {
       await viewer.show(

@@ -66,7 +66,7 @@ async function pickTwice(
       },
     },
   );
-  viewer.setQuality({ steps: 40, maxError: 1, targetFps: 30 });
+  viewer.setQuality({ steps: 40, maxError: 1, isFree: false, targetFps: 30 });
   const pickAll = (): Promise<(VolumePick | null)[]> => Promise.all(places.map((place) => pick(viewer, place)));
   try {
     return await visibility.ask(async () => {

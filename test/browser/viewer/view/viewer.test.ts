@@ -159,7 +159,7 @@ async function withViewer(
       drawingFailed: (error) => failures.push(error),
     },
   );
-  viewer.setQuality({ steps: 40, maxError: 1, targetFps: 30 });
+  viewer.setQuality({ steps: 40, maxError: 1, isFree: false, targetFps: 30 });
   try {
     await visibility.ask(() => use({ viewer, scenes, stats, failures }));
   } finally {
@@ -189,7 +189,7 @@ describe('the viewer', () => {
 
   it('draws no picture of a first view that is smaller than the one before', () =>
     withViewer(async ({ viewer, scenes, stats }) => {
-      viewer.setQuality({ steps: 'auto', maxError: 1, targetFps: 30 });
+      viewer.setQuality({ steps: 'auto', maxError: 1, isFree: false, targetFps: 30 });
       await viewer.show(volume, optics, () => noCuts);
       await viewer.settled();
       const { widths } = scenes.made[0];

@@ -158,6 +158,16 @@ const cases: [
     ['0', 'many', '1e9', 'NaN'],
   ],
   ['maxError', 'quality', [['0.5', { maxError: 0.5 }]], ['0', 'none']],
+  [
+    'detail',
+    'quality',
+    [
+      ['free', { isFree: true }],
+      ['Keep', { isFree: false }],
+      ['', { isFree: false }],
+    ],
+    ['some', '1'],
+  ],
   ['targetFps', 'quality', [['60', { targetFps: 60 }]], ['0', 'smooth']],
   [
     'region',
@@ -261,7 +271,7 @@ describe('settings', () => {
       },
       camera: { value: {} },
       limits: { value: { min: {}, max: {}, decay: 120 } },
-      quality: { value: { steps: 'auto', maxError: 1, targetFps: 30 } },
+      quality: { value: { steps: 'auto', maxError: 1, isFree: false, targetFps: 30 } },
       region: { value: null },
       rings: { value: null },
       controls: true,

@@ -1,0 +1,118 @@
+// What `detail="free"` leaves out of a picture at rest: steps, and rays. Only such pages load it.
+import type { Pixels } from '../../optics/rays/between-pixels.ts';
+import type { PixelLattice } from '../../optics/rays/rays.ts';
+import { chooseLevel } from '../../quality/choose-level.ts';
+import { cutsOfCoarse, listCoarseLevels } from '../../quality/coarse-levels.ts';
+import type { ErrorEstimate } from '../../quality/error-estimate.ts';
+import { stateError } from '../../quality/largest-error.ts';
+import type { Level, LevelCuts } from '../../quality/levels.ts';
+import type { PixelRectangle } from '../../quality/place-probes.ts';
+import { addLoss, chooseSparing } from '../../quality/spare-rays.ts';
+import { autoSteps } from '../../quality/steps.ts';
+import type { Waiting } from '../../core/waiting.ts';
+import { aside, ErrorProbe } from './measure-quality.ts';
+import type { ChosenLevel } from './chosen-level.ts';
+import type { DrawnView } from '../model/drawn-view.ts';
+
+/** Side in pixels of the tiles of a picture that are drawn with all rays, to see which pixels could be interpolated. */
+const side = 48;
+
+/** Tiles have about this share of the pixels in which something may be visible. */
+const share = 0.12;
+
+/** Smallest and largest number of tiles along each side: with few, one pixel in a thousand is not met. */
+const along: readonly [number, number] = [2, 6];
+
+/**
+ * Parts of a picture: squares in an even grid, each in the middle of its part; or all of a small rectangle.
+ * @param rectangle - in which something may be visible
+ */
+function placeTiles({ left, bottom, width, height }: PixelRectangle): PixelLattice[] {
+  const whole = (pixels: number): number => 4 * Math.ceil(pixels / 4);
+  const count = Math.min(along[1], Math.max(along[0], Math.round(Math.sqrt(share * width * height) / side)));
+  const places = (begin: number, pixels: number): { size: number; firsts: number[] } => {
+    if (pixels <= count * side) return { size: whole(pixels), firsts: [begin] };
+    const each = pixels / count;
+    const firsts = Array.from({ length: count }, (_, i) => begin + Math.floor((i + 0.5) * each - side / 2));
+    return { size: side, firsts };
+  };
+  const [across, up] = [places(left, width), places(bottom, height)];
+  return up.firsts.flatMap((y) =>
+    across.firsts.map((x): PixelLattice => ({ stride: 1, first: [x, y], width: across.size, height: up.size })),
+  );
+}
+
+/** Parts of a level's picture with all rays, as bytes; none where the device can't draw them. */
+function* drawTiles(probe: ErrorProbe, level: Level): Waiting<Pixels[]> {
+  const tiles: Pixels[] = [];
+  for (const lattice of probe.rectangle ? placeTiles(probe.rectangle) : []) {
+    const colors = yield* probe.drawPart(lattice, level);
+    if (!colors) return [];
+    const { width, height } = lattice;
+    tiles.push({ data: Uint8Array.from(colors, (x) => Math.round(255 * Math.min(1, Math.max(0, x)))), width, height });
+  }
+  return tiles;
+}
+
+/** Steps alone may leave this share of `max-error`: the rest is for pixels without rays. */
+const shareOfSteps = 0.75;
+
+/** A view, and how its levels are chosen where nothing small may be lost. */
+interface UsualQuality {
+  readonly view: DrawnView;
+  readonly asked: { readonly maxError: number };
+  readonly cuts: LevelCuts;
+  chooseUsual(): Promise<ChosenLevel | null>;
+  /** The error of the level that it chose; null where the device can't measure it. */
+  estimate(level: Level): ErrorEstimate | null;
+  /** With this level pictures in motion are compared. */
+  remember(level: Level): void;
+}
+
+/** A level with its error, and the probe that measured it or can draw parts of it. */
+interface Measured {
+  readonly level: Level;
+  readonly estimate: ErrorEstimate;
+  readonly probe: ErrorProbe;
+}
+
+/** The first level with samples in only some voxels that keeps the error; null where none does, or the view is no longer needed. */
+async function chooseCoarse({ view, asked, cuts }: UsualQuality): Promise<Measured | null> {
+  const { scene, grid, size, goesOn } = view;
+  const probe = new ErrorProbe(scene, { grid, size, cuts: cutsOfCoarse(cuts) });
+  const measure = async (level: Level): Promise<ErrorEstimate | null> =>
+    (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
+  const levels = scene.walksVoxels ? [] : listCoarseLevels(autoSteps(grid));
+  const choice = levels.length > 0 ? await chooseLevel(levels, measure, shareOfSteps * asked.maxError) : null;
+  return choice?.isKept ? { ...choice, probe } : null;
+}
+
+/**
+ * Choose as few steps and rays as keep the error. What lies between samples, and between rays, has no bound.
+ * @returns null where the view is no longer needed
+ */
+export async function chooseFree(quality: UsualQuality): Promise<ChosenLevel | null> {
+  const {
+    view: { scene, grid, size, goesOn },
+    asked: { maxError },
+    cuts,
+  } = quality;
+  const coarse = await chooseCoarse(quality);
+  const usual = coarse ? null : await quality.chooseUsual();
+  const estimate = coarse?.estimate ?? (usual && quality.estimate(usual.level));
+  if (!estimate) return usual;
+  const { level, probe } = coarse ?? { ...usual!, probe: new ErrorProbe(scene, { grid, size, cuts }) };
+  // The edges of surfaces get more rays, not fewer.
+  const canSpare = scene.adaptive && !scene.whatIsSeen()?.hasSurfaces;
+  const tiles = canSpare ? await aside(drawTiles(probe, level), scene, goesOn) : { value: [] };
+  if (!tiles) return null;
+  const loss = chooseSparing(tiles.value, estimate, maxError);
+  if (usual && loss.sampling.maxCurvature === 0) return usual;
+  // Pictures in motion are compared with one step a voxel, and finer ones.
+  if (coarse) quality.remember({ steps: autoSteps(grid), substeps: 1 });
+  const bound = probe.rectangle && scene.whatIsSeen() ? 1 : 0;
+  return {
+    level: { ...level, free: { substeps: probe.view.cuts.own(level), sampling: loss.sampling } },
+    ...stateError(addLoss(estimate, loss), bound, maxError),
+  };
+}
