@@ -1,6 +1,5 @@
-import { emptyQuad, interpolateQuad } from '../optics/rays/between-pixels.ts';
-import type { Pixels } from '../optics/rays/between-pixels.ts';
-import { keptError } from './error-estimate.ts';
+import type { emptyQuad, interpolateQuad, Pixels } from '../optics/rays/between-pixels.ts';
+import type { keptError } from './error-estimate.ts';
 import type { ErrorEstimate } from './error-estimate.ts';
 import { allRays } from './sampling-outcome.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
@@ -20,6 +19,13 @@ const certain = 0.95;
 /** If more rays than this share are left, testing pixels takes as long as those that are left out. */
 const worthSparing = 0.8;
 
+/** Functions that whoever calls has loaded: see viewer/frames/measuring-tools.ts. */
+export interface SparingTools {
+  readonly emptyQuad: typeof emptyQuad;
+  readonly interpolateQuad: typeof interpolateQuad;
+  readonly keptError: typeof keptError;
+}
+
 /** A tile with adaptive ray sampling. */
 export interface SparedPixels {
   readonly data: Uint8Array<ArrayBuffer>;
@@ -34,10 +40,14 @@ export interface SparedPixels {
  * @param full - bytes, all of its rays; sides that are multiples of 4
  * @param maxCurvature - 1/255
  */
-export function spareRays({ data: truth, width, height }: Pixels, maxCurvature: number): SparedPixels {
+export function spareRays(
+  { data: truth, width, height }: Pixels,
+  maxCurvature: number,
+  { emptyQuad, interpolateQuad }: SparingTools,
+): SparedPixels {
+  const quad = emptyQuad();
   const data = Uint8Array.from(truth);
   const cast = new Uint8Array(width * height);
-  const quad = emptyQuad();
   let rays = (width / strides[0]) * (height / strides[0]);
   for (const stride of strides) {
     const source = { data: data.slice(), width, height };
@@ -89,14 +99,15 @@ export function chooseSparing(
   tiles: readonly Pixels[],
   steps: Pick<ErrorEstimate, 'rms' | 'p99' | 'p999' | 'max'>,
   maxError: number,
+  tools: SparingTools,
 ): SparedLoss {
   let chosen = nothingSpared;
   if (tiles.length === 0) return chosen;
   // Errors grow with the limit, so half of the limits that are left can be ruled out each time.
   for (let [from, to] = [0, triedCurvatures.length]; from < to;) {
     const middle = (from + to) >> 1;
-    const loss = measureLoss(tiles, triedCurvatures[middle]);
-    if (keptError(addLoss(steps, loss)) <= certain * maxError) {
+    const loss = measureLoss(tiles, triedCurvatures[middle], tools);
+    if (tools.keptError(addLoss(steps, loss)) <= certain * maxError) {
       chosen = loss;
       from = middle + 1;
     } else to = middle;
@@ -104,12 +115,12 @@ export function chooseSparing(
   return chosen.sampling.share <= worthSparing ? chosen : nothingSpared;
 }
 
-function measureLoss(tiles: readonly Pixels[], maxCurvature: number): SparedLoss {
+function measureLoss(tiles: readonly Pixels[], maxCurvature: number, tools: SparingTools): SparedLoss {
   const worst: number[] = [];
   let [squares, rays, pixels] = [0, 0, 0];
   for (const tile of tiles) {
     const { data: truth, width, height } = tile;
-    const spared = spareRays(tile, maxCurvature);
+    const spared = spareRays(tile, maxCurvature, tools);
     rays += spared.rays;
     pixels += width * height;
     for (let y = tileMargin; y < height - tileMargin; y++) {

@@ -3,6 +3,7 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { spareRays } from '../../src/quality/spare-rays.ts';
+import { sparingTools } from '../helpers/sparing-tools.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
 import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
@@ -80,7 +81,7 @@ export async function countRays(
     const without = bare && (await draw(bare));
     const truth = { data: Uint8Array.from(full, (x) => Math.round(255 * x)), width: size, height: size };
     for (const maxError of errors) {
-      const { data, rays } = spareRays(truth, curvaturePerError * maxError);
+      const { data, rays } = spareRays(truth, curvaturePerError * maxError, sparingTools);
       const share = rays / size ** 2;
       const { e, max } = measureTrueError(data, full);
       const reach = Math.max(1, scene.reach * pixelsPerVoxel);

@@ -1,16 +1,15 @@
 // What `detail="free"` leaves out of a picture at rest: steps, and rays. Only such pages load it.
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { PixelLattice } from '../../optics/rays/rays.ts';
-import { chooseLevel } from '../../quality/choose-level.ts';
 import { cutsOfCoarse, listCoarseLevels } from '../../quality/coarse-levels.ts';
 import type { ErrorEstimate } from '../../quality/error-estimate.ts';
-import { stateError } from '../../quality/largest-error.ts';
 import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { PixelRectangle } from '../../quality/place-probes.ts';
 import { addLoss, chooseSparing } from '../../quality/spare-rays.ts';
 import { autoSteps } from '../../quality/steps.ts';
 import type { Waiting } from '../../core/waiting.ts';
-import { aside, ErrorProbe } from './measure-quality.ts';
+import type { ErrorProbe } from './measure-quality.ts';
+import type { MeasuringTools } from './measuring-tools.ts';
 import type { ChosenLevel } from './chosen-level.ts';
 import type { DrawnView } from '../model/drawn-view.ts';
 
@@ -77,7 +76,10 @@ interface Measured {
 }
 
 /** The first level with samples in only some voxels that keeps the error; null where none does, or the view is no longer needed. */
-async function chooseCoarse({ view, asked, cuts }: UsualQuality): Promise<Measured | null> {
+async function chooseCoarse(
+  { view, asked, cuts }: UsualQuality,
+  { chooseLevel, ErrorProbe }: MeasuringTools,
+): Promise<Measured | null> {
   const { scene, grid, size, goesOn } = view;
   const probe = new ErrorProbe(scene, { grid, size, cuts: cutsOfCoarse(cuts) });
   const measure = async (level: Level): Promise<ErrorEstimate | null> =>
@@ -91,13 +93,14 @@ async function chooseCoarse({ view, asked, cuts }: UsualQuality): Promise<Measur
  * Choose as few steps and rays as keep the error. What lies between samples, and between rays, has no bound.
  * @returns null where the view is no longer needed
  */
-export async function chooseFree(quality: UsualQuality): Promise<ChosenLevel | null> {
+export async function chooseFree(quality: UsualQuality, tools: MeasuringTools): Promise<ChosenLevel | null> {
+  const { aside, ErrorProbe, stateError } = tools;
   const {
     view: { scene, grid, size, goesOn },
     asked: { maxError },
     cuts,
   } = quality;
-  const coarse = await chooseCoarse(quality);
+  const coarse = await chooseCoarse(quality, tools);
   const usual = coarse ? null : await quality.chooseUsual();
   const estimate = coarse?.estimate ?? (usual && quality.estimate(usual.level));
   if (!estimate) return usual;
@@ -106,7 +109,7 @@ export async function chooseFree(quality: UsualQuality): Promise<ChosenLevel | n
   const canSpare = scene.adaptive && !scene.whatIsSeen()?.hasSurfaces;
   const tiles = canSpare ? await aside(drawTiles(probe, level), scene, goesOn) : { value: [] };
   if (!tiles) return null;
-  const loss = chooseSparing(tiles.value, estimate, maxError);
+  const loss = chooseSparing(tiles.value, estimate, maxError, tools);
   if (usual && loss.sampling.maxCurvature === 0) return usual;
   // Pictures in motion are compared with one step a voxel, and finer ones.
   if (coarse) quality.remember({ steps: autoSteps(grid), substeps: 1 });

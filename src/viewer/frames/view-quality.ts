@@ -9,31 +9,20 @@ import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { ErrorModel } from '../../quality/frame-quality.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { loadPart } from '../../core/load-part.ts';
-import { AdaptivePicture } from '../../renderer/pictures/adaptive-picture.ts';
-import { provideCoarsePictures } from '../../renderer/pictures/adaptive-provider.ts';
-import { provideSubsteps } from '../../renderer/ray/substep-provider.ts';
 import type { AskedQuality, ChosenLevel, QualityFinding } from './chosen-level.ts';
 import type { DrawnView } from '../model/drawn-view.ts';
 import type { Scene } from '../model/scene.ts';
+import { loadSubsteps } from './provide-sampling.ts';
 import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
+import { measuringTools } from './measuring-tools.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { faint } from '../../quality/error-estimate.ts';
 export { cutsOfLevels } from '../../quality/levels.ts';
 export { chooseFrameQuality } from '../../quality/choose-frame-quality.ts';
 export { SteadyTime } from '../../quality/steady-time.ts';
+export { loadSubsteps } from './provide-sampling.ts';
 export { seenPixels } from './measure-quality.ts';
-
-provideCoarsePictures((gl) => new AdaptivePicture(gl));
-
-/**
- * Load the code that cuts steps by the values at their ends: only a few levels, and steps that an author gives, need it.
- * @throws {VolumeViewError} `format/unsupported`
- */
-export async function loadSubsteps(): Promise<void> {
-  const { cuttingSteps } = await loadPart(import('../../renderer/ray/substep-part.ts'), 'cuts steps');
-  provideSubsteps(cuttingSteps);
-}
 
 /** The probes that chose the level of a scene's last view: pictures in motion are compared with the finest of them. */
 const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly level: Level }>();
@@ -82,7 +71,7 @@ export class ViewQuality {
   async choose(): Promise<ChosenLevel | null> {
     if (!this.asked.isFree) return this.chooseUsual();
     await loadSubsteps(); // As in `measure`.
-    return (await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')).chooseFree(this);
+    return (await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')).chooseFree(this, measuringTools);
   }
 
   /** The same where nothing small may be lost. */

@@ -126,7 +126,7 @@ export function readSettings(given: GivenAttributes, local?: LocalFiles): Settin
     src: local ? local.base : given.src,
     local,
     stack: given.stack !== null,
-    // Of a Zarr, only the region is read. That others are read again with a new region, if these letters are in their address, costs no more than time.
+    // Of a Zarr only the region is read. Other files with these letters in their address are read again for a new region, which costs time only.
     source: pickSource(/zarr|ozx/.test(given.src!) ? given : { ...given, region: null }),
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,

@@ -3,6 +3,7 @@ import type { Pixels } from '../../../src/optics/rays/between-pixels.ts';
 import { listCoarseLevels } from '../../../src/quality/coarse-levels.ts';
 import { keptError } from '../../../src/quality/error-estimate.ts';
 import { addLoss, chooseSparing, spareRays } from '../../../src/quality/spare-rays.ts';
+import { sparingTools } from '../../helpers/sparing-tools.ts';
 import { randomNumbers } from '../../helpers/synthetic.ts';
 
 const side = 64;
@@ -28,7 +29,7 @@ const exact = { rms: 0, p99: 0, p999: 0, max: 0 };
 
 describe('the rays that a picture at rest spares', () => {
   it('are all but one in sixteen where it is a ramp, and nothing is lost there', () => {
-    const { data, cast, rays } = spareRays(ramp, 8);
+    const { data, cast, rays } = spareRays(ramp, 8, sparingTools);
     expect(rays).to.equal((side / 4) ** 2);
     expect(cast.every((one) => one === 0)).to.equal(true);
     for (let y = 4; y < side - 4; y++)
@@ -37,7 +38,7 @@ describe('the rays that a picture at rest spares', () => {
   });
 
   it('are none in noise, whose pixels keep their values', () => {
-    const { data, cast } = spareRays(noise, 4);
+    const { data, cast } = spareRays(noise, 4, sparingTools);
     expect(cast.filter((one) => one === 0).length / side ** 2).to.be.below(0.01);
     cast.forEach((one, pixel) => {
       if (one) expect(data[4 * pixel]).to.equal(noise.data[4 * pixel]);
@@ -46,7 +47,7 @@ describe('the rays that a picture at rest spares', () => {
 
   it('are more the more error is allowed, and this error is kept', () => {
     const chosen = [0.1, 0.5, 1, 2, 4, 8, 16, 32].map((maxError) => {
-      const loss = chooseSparing([waves], exact, maxError);
+      const loss = chooseSparing([waves], exact, maxError, sparingTools);
       expect(keptError(loss), `max-error ${maxError}`).to.be.at.most(maxError);
       return loss.sampling;
     });
@@ -57,19 +58,19 @@ describe('the rays that a picture at rest spares', () => {
 
   it('leave room for the error of steps', () => {
     const steps = { rms: 3.9, p99: 8, p999: 12, max: 20 };
-    expect(chooseSparing([waves], steps, 4).sampling.share).to.equal(1);
-    const both = addLoss(steps, chooseSparing([waves], steps, 8));
+    expect(chooseSparing([waves], steps, 4, sparingTools).sampling.share).to.equal(1);
+    const both = addLoss(steps, chooseSparing([waves], steps, 8, sparingTools));
     expect(keptError(both)).to.be.within(3.9, 8);
   });
 
   it('may lose what is small, which the largest error says', () => {
-    const { sampling, max } = chooseSparing([speck], exact, 8);
+    const { sampling, max } = chooseSparing([speck], exact, 8, sparingTools);
     expect(sampling.maxCurvature).to.be.above(0);
     expect(max).to.equal(215);
   });
 
   it('are none where nothing could be drawn', () => {
-    expect(chooseSparing([], exact, 32).sampling.share).to.equal(1);
+    expect(chooseSparing([], exact, 32, sparingTools).sampling.share).to.equal(1);
   });
 });
 

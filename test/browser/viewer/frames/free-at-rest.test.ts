@@ -2,6 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { decode } from 'fast-png';
 import { spareRays, tileMargin } from '../../../../src/quality/spare-rays.ts';
+import { sparingTools } from '../../../helpers/sparing-tools.ts';
 import { measureTrade } from '../../../accuracy/trade-page.ts';
 import type { TradeResult } from '../../../accuracy/trade-page.ts';
 import { canvasOf, placeElement, takeAtRest } from '../../../accuracy/element-picture.ts';
@@ -102,7 +103,7 @@ describe('rays that are spared', () => {
         changePlan(scene, { maxCurvature });
         drawAt(scene, step);
         const drawn = scene.readPicture().data;
-        const { data, rays } = spareRays(full, maxCurvature);
+        const { data, rays } = spareRays(full, maxCurvature, sparingTools);
         let [max, off] = [0, 0];
         for (let i = 0; i < data.length; i++) {
           // At the rim the lattices of a picture reach beyond it, and those of a tile end.
