@@ -22,7 +22,7 @@ export class PictureAttributes extends ViewAttributes {
 
   /**
    * With `steps="auto"`: whether a picture at rest keeps small things. `keep`, the default, takes a sample in each voxel of each ray, and a
-   * ray for each pixel. `free` leaves out what `max-error` does not need: it is faster, but single voxels and thin lines may be missing.
+   * ray for each pixel. `free` leaves out what `max-error` does not need: less work, but single voxels and thin lines may be missing.
    * @default keep
    */
   @property() detail!: 'keep' | 'free' | null;
