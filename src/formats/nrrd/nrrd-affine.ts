@@ -1,4 +1,5 @@
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { millimetresOf } from '../base/length-units.ts';
 import { completeAxes } from '../grid-files/complete-axes.ts';
 import { quoted, readVector, splitVectors } from './nrrd-axes.ts';
 import type { NrrdAxis } from './nrrd-axes.ts';
@@ -62,30 +63,5 @@ function firstOf(axes: readonly NrrdAxis[]): Vector3 {
   return [x, y, z];
 }
 
-/** Millimetres in a unit of length; 1 if the unit is unknown. */
-function millimetresPer(unit: string): number {
-  const name = unit
-    .trim()
-    .toLowerCase()
-    .replace(/(er|re)s?$/, '');
-  return lengths.get(name) ?? 1;
-}
-
-const lengths = new Map([
-  ['nm', 1e-6],
-  ['nanomet', 1e-6],
-  ['um', 1e-3],
-  ['µm', 1e-3],
-  ['μm', 1e-3],
-  ['micron', 1e-3],
-  ['microns', 1e-3],
-  ['micromet', 1e-3],
-  ['mm', 1],
-  ['millimet', 1],
-  ['cm', 10],
-  ['centimet', 10],
-  ['m', 1000],
-  ['met', 1000],
-  ['km', 1e6],
-  ['kilomet', 1e6],
-]);
+/** Millimetres in a unit of length, in upper or lower case; 1 if the unit is unknown. */
+const millimetresPer = (unit: string): number => millimetresOf(unit.toLowerCase()) ?? 1;

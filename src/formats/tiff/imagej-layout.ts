@@ -1,6 +1,7 @@
 // Stacks of ImageJ and Fiji. Source: ImageJ 1.54, ij/io/FileInfo and TiffEncoder: lines of "name=value" in ImageDescription
 import type { Vector3 } from '../../volume/matrix.ts';
-import { millimetresOf, nameRest } from './layout.ts';
+import { millimetresOf } from '../base/length-units.ts';
+import { nameRest } from './layout.ts';
 import type { TiffLayout } from './layout.ts';
 import { tags } from './tiff-file.ts';
 import type { Directory, TiffFile } from './tiff-file.ts';

@@ -17,30 +17,6 @@ export interface TiffLayout {
   readonly window?: readonly [number, number];
 }
 
-/** Millimetres of a unit of length; undefined for one that is none, such as a pixel. */
-export function millimetresOf(unit: string): number | undefined {
-  return lengths.get(unit.replace('\u03bc', '\u00b5').replace(/^um$/, '\u00b5m'));
-}
-
-/** Source: OME schema 2016-06, UnitsLength; ImageJ writes some of them as words */
-const lengths: ReadonlyMap<string, number> = new Map([
-  ['\u00c5', 1e-7],
-  ['nm', 1e-6],
-  ['pm', 1e-9],
-  ['\u00b5m', 1e-3],
-  ['micron', 1e-3],
-  ['microns', 1e-3],
-  ['micrometer', 1e-3],
-  ['mm', 1],
-  ['cm', 10],
-  ['dm', 100],
-  ['m', 1000],
-  ['in', 25.4],
-  ['inch', 25.4],
-  ['ft', 304.8],
-  ['pt', 25.4 / 72],
-]);
-
 /** 'channels 2 to 4 of the file' */
 export function nameRest(one: string, count: number): string | null {
   if (count <= 1) return null;

@@ -1,6 +1,7 @@
-import type { Budget } from '../base/budget.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { guessedDistance, millimetresOf, nameRest } from './layout.ts';
+import type { Budget } from '../base/budget.ts';
+import { millimetresOf } from '../base/length-units.ts';
+import { guessedDistance, nameRest } from './layout.ts';
 import type { TiffLayout } from './layout.ts';
 import { readOmePixels } from './ome-pixels.ts';
 import type { OmePixels } from './ome-pixels.ts';

@@ -1,5 +1,5 @@
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
-import { millimetresOf } from './ome-units.ts';
+import { millimetresOf } from '../base/length-units.ts';
 import { isObject, listOf, objectOf } from './read-json.ts';
 
 /** What the axes of an image stand for. */

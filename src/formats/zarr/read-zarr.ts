@@ -15,7 +15,7 @@ import type { LevelBox } from './choose-level.ts';
 import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
 import type { ArrayBox } from './list-chunks.ts';
-import { secondsOf } from './ome-units.ts';
+import { secondsOf } from './time-units.ts';
 import { openImage } from './open-image.ts';
 import type { OmeImage } from './open-image.ts';
 import { readBox } from './read-box.ts';
