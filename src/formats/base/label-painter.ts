@@ -1,3 +1,6 @@
+/** So many pairs of labels of which one hides the other are said one by one. */
+const maxListed = 8;
+
 /** Writes labels into one grid, and counts what they hide of each other: where several want a voxel, the last one has it. */
 export class LabelPainter<Numbers extends Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>> {
   readonly #voxels = new Map<number, number>();
@@ -21,12 +24,16 @@ export class LabelPainter<Numbers extends Uint8Array<ArrayBuffer> | Uint16Array<
 
   /** What is hidden, in words. @param called - how messages name a label, and @param kind - what they call it before */
   describeHidden(called: (id: number) => string, kind = ''): string[] {
-    return Array.from(this.#hidden, ([below, above]) =>
+    const all = Array.from(this.#hidden, ([below, above]) =>
       Array.from(
         above,
         ([id, count]) =>
           `${count.toLocaleString('en')} of the ${this.#voxels.get(below)!.toLocaleString('en')} voxels of ${kind}${called(below)} are hidden by ${called(id)}, which overlaps it`,
       ),
     ).flat();
+    const more = all.length - maxListed;
+    return more > 0
+      ? [...all.slice(0, maxListed), `the same of ${more.toLocaleString('en')} other pairs of them`]
+      : all;
   }
 }

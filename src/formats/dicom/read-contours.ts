@@ -1,19 +1,16 @@
 // Structure sets (RTSTRUCT): contours around regions, which become labels. Loaded with the first of them. Source: PS3.3, C.8.8.6
-import { cartesianGrid } from '../../volume/grid.ts';
 import { add, cross, dot, normalize, scale, subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { unsupportedFile } from '../base/file-problem.ts';
 import type { ReadContext } from '../base/format.ts';
-import { LabelPainter } from '../base/label-painter.ts';
-import { numberTypes } from '../base/number-types.ts';
 import { listContours } from './contours.ts';
 import type { Contour } from './contours.ts';
 import { fillPolygons } from './fill-polygons.ts';
 import type { Polygon } from './fill-polygons.ts';
 import type { Plane } from './frame.ts';
 import { count } from './group-frames.ts';
+import { labelVolume, startLabels } from './label-volume.ts';
 import { placeSegments } from './place-segments.ts';
 import type { LabelSlice } from './place-segments.ts';
 import type { DicomFile } from './read-file.ts';
@@ -35,7 +32,7 @@ const [maxVoxels, finest] = [2 ** 24, 1 / 8];
 /** Of a single plane: this share of the size of all contours. */
 const finestAlone = 1 / 512;
 
-/** So many regions with gaps, or that hide others, are said one by one. */
+/** So many regions with gaps are said one by one. */
 const maxListed = 8;
 
 /**
@@ -52,12 +49,9 @@ export function readContours({ set }: DicomFile, { budget, onProgress }: ReadCon
   if (planes.length === 0) throw unsupportedFile(what, 'has no flat contours; expected some in parallel planes');
   const { slices, origin, pixel } = layGrid(planes, plane);
   const placed = placeSegments(slices, what);
-  const { dimensions, indexToWorld } = placed;
+  const { dimensions } = placed;
   const [columns, rows] = dimensions;
-  const type = Math.max(...named.map(({ id }) => id)) < 256 ? 'uint8' : 'uint16';
-  const voxels = columns * rows * dimensions[2];
-  budget.take(countSampleBytes(what, dimensions, numberTypes[type]), what);
-  const painter = new LabelPainter(type === 'uint8' ? new Uint8Array(voxels) : new Uint16Array(voxels));
+  const painter = startLabels(dimensions, Math.max(...named.map(({ id }) => id)), budget, what);
   const covered = new Map<number, Set<number>>();
   const areas = sumAreas(contours);
   const jobs = planes.flatMap(({ ofLabels }, i) =>
@@ -83,27 +77,14 @@ export function readContours({ set }: DicomFile, { budget, onProgress }: ReadCon
     fillPolygons(polygons, { columns, rows }, { budget, what }, paint);
     budget.giveBack(bytes);
   }
-  const hidden = painter.describeHidden((id) => `region ${id}`);
-  const all = [
+  const left = [
     ...unread,
     ...(askew > 0 ? [`${count(askew, 'contour')} not flat, or of another orientation than the largest one`] : []),
     ...placed.left,
     ...describeGaps(covered),
-    ...hidden.slice(0, maxListed),
-    ...(hidden.length > maxListed ? [`the same of ${hidden.length - maxListed} other pairs of regions`] : []),
+    ...painter.describeHidden((id) => `region ${id}`),
   ];
-  return {
-    grid: cartesianGrid(dimensions, indexToWorld),
-    anatomical: true,
-    samples: painter.samples,
-    slope: 1,
-    intercept: 0,
-    unit: '',
-    format: 'DICOM, RTSTRUCT',
-    isLabels: true,
-    named,
-    ...(all.length > 0 ? { left: all } : {}),
-  };
+  return labelVolume(placed, painter, { format: 'DICOM, RTSTRUCT', named, left });
 }
 
 /** The orientation of the contour around the largest area. */

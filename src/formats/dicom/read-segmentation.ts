@@ -1,14 +1,11 @@
 // Segmentations: frames of labels. Loaded with the first of them. Source: PS3.3, C.8.20
-import { cartesianGrid } from '../../volume/grid.ts';
-import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { ReadContext } from '../base/format.ts';
-import { LabelPainter } from '../base/label-painter.ts';
-import { numberTypes } from '../base/number-types.ts';
 import { checkFrames, decodeFrame } from './decode-frame.ts';
 import { loadLibraries } from './load-libraries.ts';
 import type { Frame } from './frame.ts';
+import { labelVolume, startLabels } from './label-volume.ts';
 import { listFrames } from './list-frames.ts';
 import { readLabelPicture } from './picture.ts';
 import type { Picture } from './picture.ts';
@@ -51,7 +48,7 @@ export async function readSegmentation(
   const { set } = file;
   const segments = readSegments(set, what);
   const frames = listFrames(picture);
-  const { dimensions, indexToWorld, slicesOf, left } = placeSegments(frames, what);
+  const placed = placeSegments(frames, what);
   const fractions = isBits ? null : readFractions(set);
   const isLabelMap = set.text(tags.segmentationType).toUpperCase() === 'LABELMAP';
   // Segments in the order of their numbers: where they overlap, the last one is seen.
@@ -61,16 +58,13 @@ export async function readSegmentation(
     ...(isLabelMap ? [2 ** picture.bitsStored - 1] : ordered.map(({ id }) => id)),
     ...segments.map(({ id }) => id),
   );
-  const type = largest < 256 ? 'uint8' : 'uint16';
-  const voxels = dimensions.reduce((product, n) => product * n, 1);
-  budget.take(countSampleBytes(what, dimensions, numberTypes[type]), what);
-  const painter = new LabelPainter(type === 'uint8' ? new Uint8Array(voxels) : new Uint16Array(voxels));
+  const painter = startLabels(placed.dimensions, largest, budget, what);
   const libraries = await loadLibraries([picture]);
   const pixels = picture.columns * picture.rows;
   for (const [i, { frame, id }] of ordered.entries()) {
     onProgress(i, ordered.length);
     const labelOf = chooseLabels(picture, id, fractions);
-    const slices = slicesOf(frame);
+    const slices = placed.slicesOf(frame);
     budget.step(pixels / 8, what);
     const numbers = isBits ? cutBits(picture, frame.index) : decodeFrame(picture, frame.index, budget, libraries);
     for (let p = 0; p < pixels; p++) {
@@ -78,28 +72,16 @@ export async function readSegmentation(
       if (label > 0) for (const k of slices) painter.paint(k * pixels + p, label);
     }
   }
-  const hidden = painter.describeHidden((id) => `segment ${id}`);
-  const all = [
+  const left = [
     ...(fractions && fractions.max > 1 && !isLabelMap
       ? [
           `fractions of segments: a voxel has the label where at least half of it is of the segment (${fractions.half} of ${fractions.max})`,
         ]
       : []),
-    ...left,
-    ...hidden,
+    ...placed.left,
+    ...painter.describeHidden((id) => `segment ${id}`),
   ];
-  return {
-    grid: cartesianGrid(dimensions, indexToWorld),
-    anatomical: true,
-    samples: painter.samples,
-    slope: 1,
-    intercept: 0,
-    unit: '',
-    format: 'DICOM, SEG',
-    isLabels: true,
-    named: segments,
-    ...(all.length > 0 ? { left: all } : {}),
-  };
+  return labelVolume(placed, painter, { format: 'DICOM, SEG', named: segments, left });
 }
 
 /** The number of the segment that a frame is of: its own, else that of all frames. */
