@@ -13,7 +13,7 @@ import { resolveAppearance } from '../viewer/appearance/resolve-appearance.ts';
 import { withDefaultLook } from '../viewer/appearance/default-look.ts';
 import { CameraRig } from '../viewer/camera/camera-rig.ts';
 import { createFraming } from '../viewer/camera/framing.ts';
-import { plainAppearance } from '../viewer/model/settings.ts';
+import { plainAppearance } from '../viewer/model/plain-appearance.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';

@@ -3,7 +3,7 @@ import type { TransferFunction } from '../../optics/transfer/transfer-function.t
 import { showsMore, withDefaultLook } from './default-look.ts';
 import { resolveAppearance } from './resolve-appearance.ts';
 import type { ScanModel } from '../model/scan-model.ts';
-import { plainAppearance } from '../model/settings.ts';
+import { plainAppearance } from '../model/plain-appearance.ts';
 import type { AppearanceSettings, Settings } from '../model/settings.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 

@@ -1,5 +1,6 @@
 import { parseWord, parseNumbers } from '../model/parse-attributes.ts';
-import { plainAppearance, readSettings } from '../model/settings.ts';
+import { plainAppearance } from '../model/plain-appearance.ts';
+import { readSettings } from '../model/settings.ts';
 import type { GivenAttributes } from '../model/settings.ts';
 import type { ScanModel } from '../model/scan-model.ts';
 import { resolveAppearance } from '../appearance/resolve-appearance.ts';

@@ -106,20 +106,6 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainAppearance: AppearanceSettings = {
-  named: null,
-  transferFunction: null,
-  window: null,
-  referenceLength: null,
-  opacityFactor: null,
-  lightFactor: 1,
-  projection: null,
-  shading: null,
-  surfaces: null,
-  gradientOpacity: null,
-  transferFunction2d: null,
-};
-
 /** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
 export function readSettings(given: GivenAttributes, local?: LocalFiles): Settings {
   return {

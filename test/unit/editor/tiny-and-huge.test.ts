@@ -8,7 +8,7 @@ import { colorPainter, grayPainter } from '../../../src/panes/paint-slice.ts';
 import type { Painter } from '../../../src/panes/paint-slice.ts';
 import { suitingWindow } from '../../../src/panes/suiting-window.ts';
 import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../src/viewer/model/plain-appearance.ts';
 import { english } from '../../../src/messages/english-companions.ts';
 import { Language } from '../../../src/messages/language.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';

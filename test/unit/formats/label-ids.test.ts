@@ -15,7 +15,7 @@ import { colorPainter } from '../../../src/panes/paint-slice.ts';
 import { SlicedVolume } from '../../../src/panes/slice-field.ts';
 import { labelsIn } from '../../../src/viewer/loading/label-files.ts';
 import { nearestVoxel } from '../../../src/viewer/picking/pick-voxel.ts';
-import { plainAppearance } from '../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../src/viewer/model/plain-appearance.ts';
 import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../../src/volume/grid.ts';

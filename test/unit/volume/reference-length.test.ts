@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { defaultPreset } from '../../../src/optics/transfer/default-preset.ts';
 import { resolveTransferFunction } from '../../../src/optics/transfer/resolve-transfer-function.ts';
 import { resolveAppearance } from '../../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../src/viewer/model/plain-appearance.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { defaultReferenceLength } from '../../../src/volume/reference-length.ts';

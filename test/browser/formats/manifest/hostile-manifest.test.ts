@@ -6,7 +6,7 @@ import { VolumeViewError } from '../../../../src/core/errors.ts';
 import { readManifest } from '../../../../src/formats/manifest/manifest.ts';
 import { ScanSequence } from '../../../../src/viewer/loading/scan-sequence.ts';
 import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import { VolumeTimeline } from '../../../../components/volume-timeline/volume-timeline.ts';
 import { decodeBytes, expectError, fetchFile } from '../../../helpers/decode.ts';
 import { errorOf } from '../../../helpers/error-of.ts';

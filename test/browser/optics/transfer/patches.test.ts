@@ -24,7 +24,7 @@ import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
 import { isUsual } from '../../../../src/optics/transfer/usual-columns.ts';
 import { cartesianSlopes } from '../../../../src/optics/shading-twins.ts';
 import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import { styleOf } from '../../../../src/viewer/model/volume-info.ts';
 import { plainOptics } from '../../../helpers/picture.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';

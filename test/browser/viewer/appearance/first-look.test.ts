@@ -6,7 +6,7 @@ import { readRareHeader } from '../../../../src/formats/nifti/nifti-rare-headers
 import { parseTransferFunction } from '../../../../src/optics/transfer/parse-transfer-function.ts';
 import { resolveTransferFunction } from '../../../../src/optics/transfer/resolve-transfer-function.ts';
 import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
 import { axialIndexToWorld, cartesianGrid, edgeLengths } from '../../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';

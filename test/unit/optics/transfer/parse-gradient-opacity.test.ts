@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../../../src/core/errors.ts';
 import { parseGradientOpacity } from '../../../../src/optics/transfer/parse-gradient-opacity.ts';
 import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 describe('gradient-opacity', () => {

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { withDefaultLook } from '../../../../src/viewer/appearance/default-look.ts';
 import type { ScanModel } from '../../../../src/viewer/model/scan-model.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import type { AppearanceSettings } from '../../../../src/viewer/model/settings.ts';
 import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { resolveAppearance } from '../../../../src/viewer/appearance/resolve-appearance.ts';
 import type { ScanModel } from '../../../../src/viewer/model/scan-model.ts';
-import { plainAppearance } from '../../../../src/viewer/model/settings.ts';
+import { plainAppearance } from '../../../../src/viewer/model/plain-appearance.ts';
 import type { AppearanceSettings } from '../../../../src/viewer/model/settings.ts';
 import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import { evenAzimuths, radarVolume } from '../../../helpers/synthetic-radar.ts';
