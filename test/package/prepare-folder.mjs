@@ -277,8 +277,14 @@ await check(`ended at ${values.kills} moments it leaves no half folder, and the 
       if (!/^[0-9a-f]{16}/.test(name)) continue;
       // A web server is another user.
       if (process.platform !== 'win32') assert.equal(statSync(join(killed, name)).mode & 0o777, 0o755);
-      for (const file of ['index.html', 'volume.json', 'volume.png', 'poster.png'])
-        assert.ok(existsSync(join(killed, name, file)), name);
+      const isSeries = name.endsWith('-scans');
+      for (const file of ['index.html', 'poster.png', ...(isSeries ? ['scans.json'] : ['volume.json', 'volume.png'])])
+        assert.ok(existsSync(join(killed, name, file)), `${name}/${file}`);
+      if (isSeries) {
+        const { scans } = JSON.parse(readFileSync(join(killed, name, 'scans.json'), 'utf8'));
+        for (const { image } of scans) assert.ok(existsSync(join(killed, name, image)), `${name}: ${image}`);
+        continue;
+      }
       const manifest = JSON.parse(readFileSync(join(killed, name, 'volume.json'), 'utf8'));
       decode(readFileSync(join(killed, name, manifest.image)));
       whole++;
