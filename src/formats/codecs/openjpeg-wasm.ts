@@ -5,6 +5,6 @@ import { compileOnce } from './compile-once.ts';
 const startInstance = compileOnce(url);
 
 /** Starts OpenJPEG as WebAssembly, whose bytes are in this module: no bundler, server or policy has to know of a further file. */
-export function startOpenJpeg(options: OpenJpegOptions): Promise<OpenJpegModule> {
+export function startOpenJpeg(options: EmscriptenOptions): Promise<OpenJpegModule> {
   return startInstance((instantiateWasm) => start({ ...options, instantiateWasm }));
 }
