@@ -2,6 +2,7 @@
 // others are interpolated. SCENES=mri,tips takes the scenes with these words in their names; SIZES=2,7
 // other pixels of a voxel than 8, ERRORS=1,8 other values of `max-error` than 1.
 import { formatTable } from '../bench/table.mjs';
+import { chooseScenes } from './choose-scenes.mjs';
 import { measureTables } from './measure-tables.mjs';
 
 const numbersOf = (/** @type {string} */ list) => list.split(',').map(Number);
@@ -20,10 +21,8 @@ export const run = ({ quick }) =>
   measureTables({ quick }, async ({ page }) => {
     const from = '/test/accuracy/count-page.ts';
     const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listCounted()), from);
-    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
     const rows = [];
-    for (const name of all) {
-      if (!words.some((word) => name.toLowerCase().includes(word)) || (quick && all.indexOf(name) % few > 0)) continue;
+    for (const name of chooseScenes(all, quick && few)) {
       const results = await page.evaluate(
         async ({ module, scene, sizes, errors }) => {
           const { countRays } = /** @type {typeof import('./count-page.ts')} */ (await import(module));

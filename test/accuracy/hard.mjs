@@ -1,6 +1,7 @@
 // `npm run accuracy -- hard`: whether what is said of errors is true in scenes that were made to break it. SCENES=edge,comb takes those with these
 // words in their names; ROWS=1 prints each.
 import { formatTable } from '../bench/table.mjs';
+import { chooseScenes } from './choose-scenes.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { groupByKind, isKept, misleading, nameLargest, sumUp } from './sum-up-stated.mjs';
 
@@ -17,10 +18,7 @@ export const run = ({ quick }) =>
   measureTables({ quick }, async ({ page }) => {
     const from = '/test/accuracy/hard-page.ts';
     const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listHard()), from);
-    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-    const wanted = all.filter(
-      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
-    );
+    const wanted = chooseScenes(all, quick && few);
     /** @type {HardResult[]} */
     const results = [];
     for (const [i, name] of wanted.entries()) {

@@ -2,6 +2,7 @@
 // it. The truth is a float64 ray-caster that finds each crossing of a value. SCENES=noise,stent takes volumes with these words in their names; ROWS=1
 // prints each scene as it is measured; WEBGL=1 takes WebGL 1 for all.
 import { formatTable } from '../bench/table.mjs';
+import { chooseScenes } from './choose-scenes.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { groupByKind, isKept, misleading, nameLargest, sumUp } from './sum-up-stated.mjs';
 
@@ -26,10 +27,7 @@ export const run = ({ quick }) =>
       async (name) => /** @type {string[]} */ ((await import(name)).opaqueVolumes),
       '/test/accuracy/opaque-scenes.ts',
     );
-    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-    const wanted = all.filter(
-      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
-    );
+    const wanted = chooseScenes(all, quick && few);
     const onlyOld = process.env.WEBGL === '1';
     /** @type {OpaqueResult[]} */
     const results = [];

@@ -2,6 +2,7 @@
 // cast in float64 beside them, which miss nothing. SCENES=wires,max takes those with these words in their names; ROWS=1 prints each.
 import { formatTable } from '../bench/table.mjs';
 import { listFaults } from './hard.mjs';
+import { chooseScenes } from './choose-scenes.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { groupByKind, isKept, nameLargest, sumUp } from './sum-up-stated.mjs';
 
@@ -18,10 +19,7 @@ export const run = ({ quick }) =>
       async (name) => /** @type {string[]} */ ((await import(name)).listProjected()),
       from,
     );
-    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-    const wanted = all.filter(
-      (name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0),
-    );
+    const wanted = chooseScenes(all, quick && few);
     /** @type {HardResult[]} */
     const results = [];
     for (const [i, name] of wanted.entries()) {

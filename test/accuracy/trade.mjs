@@ -1,6 +1,7 @@
 // `npm run accuracy -- trade`: what pictures at rest cost and what they show, by `max-error` and `detail`. SCENES=mri,wires takes the scenes with
 // these words in their names; ERRORS=1,8 other values of `max-error`; DETAILS=free one of both; TIMES=1 adds times, which only a quiet machine gives.
 import { formatTable, median } from '../bench/table.mjs';
+import { chooseScenes } from './choose-scenes.mjs';
 import { measureTables } from './measure-tables.mjs';
 
 const { ERRORS = '16,8,4,2,1,0.5', DETAILS = 'keep,free' } = process.env;
@@ -20,11 +21,9 @@ export const run = ({ quick }) =>
   measureTables({ quick }, async ({ page }) => {
     const from = '/test/accuracy/trade-page.ts';
     const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listTraded()), from);
-    const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
     /** @type {Row[]} */
     const rows = [];
-    for (const name of all) {
-      if (!words.some((word) => name.toLowerCase().includes(word)) || (quick && all.indexOf(name) % few > 0)) continue;
+    for (const name of chooseScenes(all, quick && few)) {
       const results = await page.evaluate(
         async ({ module, scene, details, errors }) => {
           const { measureTrade } = /** @type {typeof import('./trade-page.ts')} */ (await import(module));
