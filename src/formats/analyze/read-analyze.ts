@@ -10,6 +10,7 @@ import { placeVolume } from '../base/place-volume.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { fetchPartner } from '../grid-files/fetch-partner.ts';
 import { readNifti } from '../nifti/nifti.ts';
+import type { NiftiSource } from '../nifti/nifti-source.ts';
 import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1, viewOf } from '../nifti/nifti-header.ts';
 import type { NiftiHeader, NiftiStart } from '../nifti/nifti-header.ts';
 import { readVersion2 } from '../nifti/nifti-rare-headers.ts';
@@ -18,8 +19,8 @@ import { readVersion2 } from '../nifti/nifti-rare-headers.ts';
 const what = 'an Analyze or NIfTI volume';
 
 /**
- * Reads a header and the file of its samples; either of them may be given. Several volumes of NIfTI are scans; of Analyze the first one is
- * read.
+ * Reads a header and the file of its samples; either of them may be given. Several volumes are scans; those of Analyze have no times, as
+ * programs write the unit of its fourth axis (`pixdim[4]`) in seconds or milliseconds.
  * Sources: nifti1.h; nibabel 5.4, `analyze.py` and `spm2analyze.py`
  */
 export const readAnalyze: FormatReader = async (input, settings, context) => {
@@ -28,35 +29,40 @@ export const readAnalyze: FormatReader = async (input, settings, context) => {
   const header = isNifti ? readPairHeader(headerBytes, found) : readAnalyzeHeader(headerBytes, found);
   const { onProgress, budget } = context;
   const isPacked = isGzip(samples);
+  const describe = isNifti ? undefined : describeAnalyze(headerBytes, found);
   const volume = await readNifti(
     {
       pieces: isPacked ? gunzip(samples) : yieldOnce(samples),
       atMost: isPacked ? samples.length * maxDeflateRatio : samples.length,
       onProgress,
       budget,
-      // Volumes of Analyze would need the place and the scale that are found below.
-      ...(isNifti && { scans: [{ ...input, bytes: samples }, settings, context], head: headerBytes.slice() }),
+      scans: [{ ...input, bytes: samples }, settings, context],
+      head: headerBytes.slice(),
+      ...(describe && { describe }),
     },
     header,
   );
-  if (isNifti) return placeVolume(volume, settings);
-  const orient = headerBytes[252];
-  const left = [
-    ...(volume.left ?? []),
-    ...(orient >= 1 && orient <= 5
-      ? [`the header's orientation (orient ${orient}): slices are taken as transverse, as SPM and nibabel take them`]
-      : []),
-  ];
-  return placeVolume(
-    {
-      ...volume,
-      grid: placeOrigin(volume.grid, headerBytes, found),
-      format: volume.format.replace(/^NIfTI-1/, 'Analyze 7.5'),
-      ...(left.length > 0 && { left }),
-    },
-    settings,
-  );
+  // Of scans, all that they have in common was described before.
+  const isDescribed = !describe || !volume.format.startsWith('NIfTI');
+  return placeVolume(isDescribed ? volume : { ...volume, ...describe(volume) }, settings);
 };
+
+/** What an Analyze file says of a volume, or of all its volumes, where a NIfTI file would say something else. */
+function describeAnalyze(headerBytes: Uint8Array, found: NiftiStart): NonNullable<NiftiSource['describe']> {
+  const orient = headerBytes[252];
+  const more =
+    orient >= 1 && orient <= 5
+      ? [`the header's orientation (orient ${orient}): slices are taken as transverse, as SPM and nibabel take them`]
+      : [];
+  return ({ grid, format, left = [] }) => {
+    const all = [...left, ...more];
+    return {
+      grid: placeOrigin(grid, headerBytes, found),
+      format: format.replace(/^NIfTI-1/, 'Analyze 7.5'),
+      ...(all.length > 0 && { left: all }),
+    };
+  };
+}
 
 interface Pair {
   readonly header: Uint8Array;

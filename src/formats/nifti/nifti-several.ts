@@ -3,6 +3,7 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { listLeft } from '../base/list-left.ts';
 import type { NumberType } from '../base/number-types.ts';
+import type { SeriesInfo } from '../base/scan-data.ts';
 import { yieldOnce } from '../base/piece-reader.ts';
 import { gunzip, isGzip } from '../codecs/gunzip.ts';
 import { keepVolumes, listRanges } from '../series/keep-volumes.ts';
@@ -47,7 +48,7 @@ function listOmitted(numbers: number, type: NumberType): (string | null)[] {
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
 export async function openScans(
-  { scans, head, atMost, onProgress, budget }: NiftiSource,
+  { scans, head, describe, atMost, onProgress, budget }: NiftiSource,
   header: NiftiHeader,
   { type, rescale, bytes }: VolumeNumbers,
 ): Promise<DecodedCartesianVolume | Pick<DecodedCartesianVolume, 'format' | 'left'>> {
@@ -69,23 +70,24 @@ export async function openScans(
         });
   const steps = count === times ? await readSteps(header, head ? new Blob([head]) : kept.file) : null;
   const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
+  const info: SeriesInfo = {
+    grid: cartesianGrid(dimensions, indexToWorld),
+    anatomical,
+    unit: '',
+    format: `NIfTI-${header.version}`,
+    isLabels: header.intent === 1002,
+    intent: header.intent,
+    ...readWindow(header),
+    ...listLeft(
+      1,
+      kept.left,
+      numbers > 1 && volumes > count ? 'volumes along the sixth and the seventh axis' : null,
+      ...listOmitted(numbers, type),
+    ),
+  };
   return openSeries(
     {
-      info: {
-        grid: cartesianGrid(dimensions, indexToWorld),
-        anatomical,
-        unit: '',
-        format: `NIfTI-${header.version}`,
-        isLabels: header.intent === 1002,
-        intent: header.intent,
-        ...readWindow(header),
-        ...listLeft(
-          1,
-          kept.left,
-          numbers > 1 && volumes > count ? 'volumes along the sixth and the seventh axis' : null,
-          ...listOmitted(numbers, type),
-        ),
-      },
+      info: { ...info, ...describe?.(info) },
       volumes: kept.volumes,
       count,
       type: type.name,

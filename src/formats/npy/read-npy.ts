@@ -8,8 +8,10 @@ import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
+import { mayKeepAll, openInArray } from '../grid-files/open-in-array.ts';
 import { pickVolume } from '../grid-files/pick-volume.ts';
 import { areScans, openVolumes } from '../series/open-volumes.ts';
+import type { VolumesOfFile } from '../series/open-volumes.ts';
 import { readNpyHeader } from './npy-header.ts';
 import type { NpyHeader } from './npy-header.ts';
 
@@ -26,24 +28,27 @@ export const readNpy: FormatReader = async ({ bytes }, settings, context) => {
   try {
     const header = await readNpyHeader(reader);
     const { type, littleEndian, end } = header;
-    const { dimensions, strides, volumes } = arrangeAxes(header);
+    const { dimensions, strides, volumes, further } = arrangeAxes(header);
     const picked = countSampleBytes('the NPY header', dimensions, type);
     const lost = type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null;
     const grid = cartesianGrid(dimensions, axialIndexToWorld(dimensions, [1, 1, 1]));
-    // In Fortran's order the samples of all volumes lie among each other.
-    if (!header.isFortran && areScans(volumes, type, settings, context)) {
+    const source = { atMost, onProgress, budget };
+    const isSeries = areScans(volumes, type, settings, context);
+    const series: VolumesOfFile = { info: { grid, unit: '', format: 'NPY' }, type, littleEndian, left: [lost] };
+    if (isSeries && !header.isFortran) {
       const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
-      return await openVolumes(
-        { what: 'the NPY file', pieces, atMost, offset: end, bytes: picked, count: volumes },
-        () => ({ info: { grid, unit: '', format: 'NPY' }, type, littleEndian, left: [lost] }),
-        settings,
-        context,
-      );
+      const span = { what: 'the NPY file', offset: end, bytes: picked, count: volumes };
+      return await openVolumes({ ...span, pieces, atMost }, () => series, settings, context);
+    }
+    // In Fortran's order the samples of all volumes lie among each other.
+    if (isSeries && mayKeepAll(volumes, volumes * picked, context)) {
+      const inAll = { what: 'NPY', offset: end, bytes: volumes * picked, isPart: false };
+      const array = { bytes: await readSpan(reader, source, inAll), dimensions, strides, starts: listStarts(further) };
+      return await openInArray(array, series, settings, context);
     }
     // The number of samples from the volume's first one to its last one; samples of other volumes may lie between.
     const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
     const spanBytes = countSampleBytes('the NPY header', [span], type);
-    const source = { atMost, onProgress, budget };
     const all = await readSpan(reader, source, { what: 'NPY', offset: end, bytes: spanBytes, isPart: volumes > 1 });
     budget.take(picked, 'the NPY file');
     const samplesBytes = pickVolume(all, type.bytesPerSample, dimensions, strides);
@@ -80,6 +85,8 @@ interface NpyAxes {
   /** Samples from one voxel to the next along i, j and k. */
   readonly strides: Vector3;
   readonly volumes: number;
+  /** The axes along which volumes lie, the slowest first: their lengths, and samples from one to the next. */
+  readonly further: readonly (readonly [length: number, stride: number])[];
 }
 
 function arrangeAxes({ shape, isFortran, type }: NpyHeader): NpyAxes {
@@ -98,5 +105,14 @@ function arrangeAxes({ shape, isFortran, type }: NpyHeader): NpyAxes {
     dimensions: fromEnd(shape),
     strides: fromEnd(steps),
     volumes: shape.slice(0, -3).reduce((product, n) => product * n, 1),
+    further: shape.slice(0, -3).map((n, axis) => [n, steps[axis]]),
   };
+}
+
+/** Where each volume begins, samples, in the order of C. */
+function listStarts(further: NpyAxes['further']): number[] {
+  return further.reduce(
+    (starts, [n, stride]) => starts.flatMap((start) => Array.from({ length: n }, (_, i) => start + i * stride)),
+    [0],
+  );
 }

@@ -75,6 +75,16 @@ const files: Readonly<Record<string, { readonly by: string; readonly volumes: Ex
     },
   };
 
+/** Files of which every voxel is compared; test/fixtures/make-several-volumes.py asks nibabel and numpy. */
+const everyVoxel = await readExpectedVolumes();
+
+async function readExpectedVolumes(): Promise<
+  { path: string; dimensions: number[]; affine: number[] | null; volumes: number[][] }[]
+> {
+  const text = new TextDecoder().decode(await fetchFixture('several-volumes.json'));
+  return (JSON.parse(text) as { files: Awaited<ReturnType<typeof readExpectedVolumes>> }).files;
+}
+
 /** Values of which each slice has a scale of its own are stored as float32. */
 const near = (value: number): number => 2e-7 * Math.max(1, Math.abs(value));
 
@@ -162,10 +172,42 @@ describe('volumes of a file as scans', () => {
     expect(await text('spacings: nan nan nan 2')).to.deep.equal([null, null]);
   });
 
-  it('are not made of layers of labels, nor of arrays in which their numbers lie among each other', async () => {
-    const fortran = await openScans(await fetchFixture('formats/series-fortran.npy'), 'x.npy');
-    expect(fortran.times).to.deep.equal([]);
-    expect(fortran.first.left!.join()).to.contain('volume 2 of the file');
+  for (const path of everyVoxel.map((file) => file.path)) {
+    it(`${path}: every voxel of every volume, packed or not`, async () => {
+      const { dimensions, affine, volumes } = everyVoxel.find((file) => file.path === path)!;
+      const bytes = await fetchFixture(path);
+      for (const given of path.endsWith('.npy') ? [bytes.slice(), gzipSync(bytes)] : [bytes.slice()]) {
+        const { times, read } = await openScans(given, path);
+        expect(times).to.deep.equal(volumes.map(() => null));
+        for (const [t, expected] of volumes.entries()) {
+          const volume = await read(t);
+          expect(volume.grid.dimensions).to.deep.equal(dimensions);
+          expect(valuesOf(volume), `volume ${t}`).to.deep.equal(expected);
+          if (affine) expect(volume.grid.indexToWorld).to.deep.equal(affine);
+          expect(volume.format).to.match(new RegExp(`^(Analyze 7.5|NPY), volume ${t + 1} of ${volumes.length}$`));
+          expect(volume.left).to.equal(undefined);
+        }
+      }
+      // Where a page wants no scans, the first one is shown at the same place.
+      const alone = await decodeBytes(bytes, path);
+      expect(valuesOf(alone)).to.deep.equal(volumes[0]);
+      if (affine) expect(alone.grid.indexToWorld).to.deep.equal(affine);
+    });
+  }
+
+  it('of Analyze say once what is not used of the header', async () => {
+    const bytes = await fetchFixture('formats/analyze-series.hdr');
+    bytes[252] = 2;
+    const { first, read } = await openScans(bytes, 'formats/analyze-series.hdr');
+    expect(first.left).to.have.length(1);
+    expect(first.left![0]).to.contain('orient 2');
+    expect((await read(1)).left).to.deep.equal(first.left);
+  });
+
+  it('of an array that is cut short are an error before memory is taken', async () => {
+    const bytes = (await fetchFixture('formats/series-fortran.npy')).slice(0, -1);
+    const words = await openScans(bytes, 'x.npy').catch((error: Error) => error.message);
+    expect(words).to.contain('ends early');
   });
 });
 
