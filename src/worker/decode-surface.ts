@@ -18,6 +18,8 @@ import { joinTiles } from '../formats/terrain/terrain-raster.ts';
 interface Environment {
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
+  /** Fetches in place of the browser's own function, which is used if undefined. */
+  readonly fetch?: typeof globalThis.fetch | null;
   readonly onProgress: LoadProgressListener;
 }
 
@@ -47,10 +49,10 @@ async function decodeTerrain({ files, corner, radar }: TerrainRequest, environme
 
 async function fetchAll(
   urls: readonly string[],
-  { signal, pageOrigin, onProgress }: Environment,
+  { signal, pageOrigin, fetch, onProgress }: Environment,
 ): Promise<{ readonly bytes: Uint8Array<ArrayBuffer> }[]> {
   const fetchOne: FetchOne = (url, report) =>
-    fetchBytes(url, { signal, pageOrigin, maxBytes: maxMeshBytes, onProgress: report });
+    fetchBytes(url, { signal, pageOrigin, fetch, maxBytes: maxMeshBytes, onProgress: report });
   const files: { readonly bytes: Uint8Array<ArrayBuffer> }[] = [];
   for await (const file of fetchInOrder(urls, fetchOne, (loaded, total) =>
     onProgress({ loaded, total, phase: 'fetch' }),

@@ -15,10 +15,15 @@ export async function loadSurface(request: SurfaceRequest, options: LoadOptions)
   return workOff({ order: { request, pageOrigin: origin } }, options, (watched) => loadHere(request, watched));
 }
 
-async function loadHere(request: SurfaceRequest, { signal, onProgress }: LoadOptions): Promise<Surface> {
+async function loadHere(request: SurfaceRequest, { signal, fetch, onProgress }: LoadOptions): Promise<Surface> {
   const { decodeSurface } = await loadPart(import('./decode-surface.ts'), 'reads surfaces');
   try {
-    return await decodeSurface(request, { signal, pageOrigin: origin, onProgress });
+    return await decodeSurface(request, {
+      signal,
+      pageOrigin: origin,
+      fetch: fetch && (await loadPart(import('./serve-fetch.ts'), 'reads files')).checkedFetch(fetch),
+      onProgress,
+    });
   } catch (error) {
     if (!(error instanceof NeedsMainThread)) throw error;
     throw new VolumeViewError(

@@ -49,8 +49,13 @@ async function runOrder(
   signal: AbortSignal,
   report: Report,
 ): Promise<void> {
-  const environment = { signal, pageOrigin, onProgress: throttle(report) };
   try {
+    const environment = {
+      signal,
+      pageOrigin,
+      fetch: port && (await loadReader(() => import('#rare/worker/page-fetch.ts'))).fetchOnPage(port),
+      onProgress: throttle(report),
+    };
     if ('surface' in request) {
       const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('#rare/worker/decode-surface.ts'));
       const surface = await decodeSurface(request, environment);
@@ -60,7 +65,6 @@ async function runOrder(
       { ...request, limits },
       {
         ...environment,
-        fetch: port && (await loadReader(() => import('#rare/worker/page-fetch.ts'))).fetchOnPage(port),
         onScans: (times, data) => report({ type: 'scans', times, data }),
         onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : undefined),
       },

@@ -264,3 +264,40 @@ test.describe('surfaces', () => {
     ).toBe(null);
   });
 });
+
+test.describe('behind a token', () => {
+  test.use({ allowedLines: /401|Failed to load resource|its box is/ });
+
+  for (const [where, hasWorkers] of [
+    ['a worker', true],
+    ['the page, where there are no workers', false],
+  ] as const)
+    test(`a surface that is read in ${where} is fetched as the page fetches the volume`, async ({ page }) => {
+      await serve(page);
+      await page.route(`**${folder}/*`, async (route) => {
+        const { authorization } = await route.request().allHeaders();
+        return authorization === 'Bearer 1234' ? route.fallback() : route.fulfill({ status: 401 });
+      });
+      if (!hasWorkers) await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'Worker'));
+      await open(page, view(''));
+      const triangles = await withElement(
+        page,
+        (one, url) => {
+          one.fetch = (address, options) =>
+            fetch(address, {
+              ...options,
+              headers: { ...Object.fromEntries(new Headers(options?.headers)), Authorization: 'Bearer 1234' },
+            });
+          const surface = document.createElement('volume-surface');
+          surface.setAttribute('src', url);
+          one.append(surface);
+          return new Promise<number>((resolve, reject) => {
+            surface.addEventListener('load', () => resolve(surface.info!.triangles));
+            one.addEventListener('error', ({ detail }) => reject(new Error(detail.message)));
+          });
+        },
+        { argument: `${folder}/ball.ply` },
+      );
+      expect(triangles).toBe(528);
+    });
+});

@@ -54,7 +54,9 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
     }
     const { request, look: appearance } = wanted;
     if (!request) return; // The volume reports itself when it is there.
-    const surface = await this.#files.get(JSON.stringify(request), signal, (stop) => this.#load(request, stop));
+    const surface = await this.#files.get(JSON.stringify(request), signal, (stop) =>
+      this.#load(request, stop, target.fetch),
+    );
     if (appearance.isCut) await target.prepareCuts();
     signal.throwIfAborted();
     const before = this.#shown;
@@ -76,11 +78,15 @@ export class SurfaceController extends AttachmentController<SurfaceTarget, Surfa
     this.host.came(surface);
   }
 
-  async #load(request: NonNullable<WantedSurface['request']>, signal: AbortSignal): Promise<Surface> {
+  async #load(
+    request: NonNullable<WantedSurface['request']>,
+    signal: AbortSignal,
+    fetch: SurfaceTarget['fetch'],
+  ): Promise<Surface> {
     const surface = await loads.run(
       () => true,
       signal,
-      () => loadSurface(request, { signal, onProgress: (progress) => this.host.progress(progress) }),
+      () => loadSurface(request, { signal, fetch, onProgress: (progress) => this.host.progress(progress) }),
     );
     if (surface.notes.length > 0) this.#warn(surface.notes.join('. '));
     return surface;

@@ -57,6 +57,10 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
     return this.view.awake;
   }
 
+  get fetch(): typeof globalThis.fetch | null | undefined {
+    return this.view.host.fetch;
+  }
+
   bounds(): readonly Vector3[] {
     return this.#shown?.places ?? [];
   }
