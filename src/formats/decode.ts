@@ -2,7 +2,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import { isSoundGrid } from '../volume/sound-grid.ts';
 import { Budget } from './base/budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './base/decoded-volume.ts';
-import type { FileAccess, FolderAccess, Format } from './base/format.ts';
+import type { FileAccess, FolderAccess, Format, ReadContext } from './base/format.ts';
 import { loadReader } from './base/load-reader.ts';
 import type { ScansListener } from './base/load-request.ts';
 import { NeedsMainThread } from './base/needs-main-thread.ts';
@@ -19,6 +19,7 @@ export interface DecodeContext extends FileAccess {
    */
   readonly files?: readonly string[];
   readonly folder?: FolderAccess;
+  readonly openList?: ReadContext['openList'];
   /** The known formats; all if undefined. */
   readonly formats?: readonly Format[];
   /** The limits of the load; the usual ones if undefined. Files that are fetched are added to it here. */
@@ -87,7 +88,8 @@ async function decodeData(
   return read(input, settings, {
     ...context,
     further: files?.slice(1) ?? [],
-    decode: (first, files, settings) => decodeData(first, settings, { ...context, files, isPart: true }),
+    decode: (first, files, settings, openList = context.openList) =>
+      decodeData(first, settings, { ...context, files, openList, isPart: true }),
   });
 }
 

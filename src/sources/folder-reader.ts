@@ -9,10 +9,12 @@ interface FolderOptions {
   readonly load: FolderLoad;
   /** Starts that were read already. */
   readonly starts?: ReadonlyMap<string, DecodeInput>;
+  /** Files that were read as a whole already. */
+  readonly whole?: readonly DecodeInput[];
   readonly signal?: AbortSignal;
 }
 
-/** Reads the files of a series that lie at hand, in parts, and reports how much of all is read. */
+/** Reads the files of a series in parts, and reports how much of all is read. */
 export class FolderReader implements FolderAccess {
   /** Bytes that were read of each file. */
   readonly #read = new Map<string, number>();
@@ -20,17 +22,33 @@ export class FolderReader implements FolderAccess {
   #expected: ReadonlySet<string> | null = null;
   #loaded = 0;
   #total = 0;
-
+  /** Of the files that are read, those whose size is not known yet. */
+  #unknown: Set<string>;
+  /** Files on a server: their sizes are learned with them, and none counts for the budget before it has come. */
+  readonly #isRemote: boolean;
+  /** Until they are asked for. */
+  readonly #kept: Map<string, DecodeInput>;
   readonly #whole: GroupReader;
 
   private constructor(
-    store: ByteStore,
+    private readonly store: ByteStore,
     private readonly read: ByteStore['read'],
-    private readonly sizes: ReadonlyMap<string, number>,
+    private readonly sizes: Map<string, number | null>,
     private readonly options: FolderOptions,
   ) {
-    const { signal } = options;
-    this.#whole = new GroupReader(store, { signal, readOne: (url) => read(url, { signal }) });
+    const { signal, whole = [] } = options;
+    this.#unknown = new Set([...sizes.keys()].filter((url) => sizes.get(url) === null));
+    this.#isRemote = this.#unknown.size > 0;
+    for (const size of sizes.values()) this.#total += size ?? 0;
+    this.#kept = new Map(whole.map((input) => [input.url, input]));
+    this.#whole = new GroupReader(store, {
+      signal,
+      readOne: (url) => read(url, { signal, onProgress: (loaded) => this.#count(url, loaded) }),
+    });
+    for (const { url, bytes } of whole) {
+      this.#learn(url, bytes.length);
+      this.#count(url, bytes.length);
+    }
   }
 
   /** @param files - of the store @param read - reads a file of them */
@@ -40,24 +58,29 @@ export class FolderReader implements FolderAccess {
     read: ByteStore['read'],
     options: FolderOptions,
   ): Promise<FolderReader> {
-    const sizes = new Map<string, number>();
-    for (const url of files) sizes.set(url, (await store.stat(url)).size ?? 0);
-    const reader = new FolderReader(store, read, sizes, options);
-    for (const size of sizes.values()) reader.#total += size;
-    return reader;
+    const sizes = new Map<string, number | null>();
+    for (const url of files) sizes.set(url, (await store.stat(url)).size);
+    return new FolderReader(store, read, sizes, options);
   }
 
   async readStart(url: string, bytes: number): Promise<DecodeInput> {
     const { signal, starts } = this.options;
+    const whole = this.#kept.get(url);
+    if (whole) return cutStart(whole, bytes);
     const kept = starts?.get(url);
     const isEnough = kept && (kept.bytes.length >= bytes || kept.missing === 0);
     const input = isEnough ? kept : await this.read(url, { range: { start: 0, end: bytes }, signal });
+    if (this.#unknown.has(url)) this.#learn(url, (await this.store.stat(url)).size);
     this.#count(url, input.bytes.length);
-    return input;
+    return this.#isRemote ? { ...input, packedBytes: input.bytes.length } : input;
   }
 
   async readWhole(url: string): Promise<DecodeInput> {
-    const input = await this.#whole.read(url);
+    const kept = this.#kept.get(url);
+    this.#kept.delete(url);
+    const input = kept ?? (await this.#whole.read(url));
+    if (this.#isRemote && !kept) this.options.load.budget?.addFile(input.bytes.length);
+    this.#learn(url, input.bytes.length);
     this.#count(url, Infinity);
     return input;
   }
@@ -67,22 +90,39 @@ export class FolderReader implements FolderAccess {
   }
 
   expect(urls: readonly string[]): void {
-    this.#expected = new Set(urls);
-    const rest = urls.map((url) => (this.sizes.get(url) ?? 0) - (this.#read.get(url) ?? 0));
-    this.#total = rest.reduce((sum, bytes) => sum + bytes, this.#loaded);
+    const expected = (this.#expected = new Set(urls));
+    this.#unknown = new Set(urls.filter((url) => this.#sizeOf(url) === null));
+    this.#total = 0;
+    for (const url of expected) this.#total += this.#sizeOf(url) ?? 0;
+    for (const [url, bytes] of this.#read) if (!expected.has(url)) this.#total += bytes;
   }
 
   showPart(part: DecodedCartesianVolume, grid: DecodedCartesianVolume['grid']): Promise<void> {
     return showPart(this.options.load, part, grid);
   }
 
+  #sizeOf(url: string): number | null {
+    return this.sizes.get(url) ?? null;
+  }
+
+  #learn(url: string, size: number | null): void {
+    if (size === null || this.#sizeOf(url) !== null) return;
+    this.sizes.set(url, size);
+    if (this.#unknown.delete(url)) this.#total += size;
+  }
+
   /** @param bytes - from its start */
   #count(url: string, bytes: number): void {
     const before = this.#read.get(url) ?? 0;
-    const now = Math.max(before, Math.min(bytes, this.sizes.get(url) ?? 0));
+    const now = Math.max(before, Math.min(bytes, this.#sizeOf(url) ?? bytes));
     this.#read.set(url, now);
     this.#loaded += now - before;
     if (this.#expected && !this.#expected.has(url)) this.#total += now - before;
-    this.options.load.onProgress(this.#loaded, this.#total);
+    this.options.load.onProgress(this.#loaded, this.#unknown.size > 0 ? 0 : this.#total);
   }
+}
+
+function cutStart(whole: DecodeInput, bytes: number): DecodeInput {
+  const start = whole.bytes.subarray(0, bytes);
+  return { ...whole, bytes: start, packedBytes: start.length, missing: whole.bytes.length - start.length };
 }

@@ -4,16 +4,20 @@ import { checkFileCount } from '../formats/base/check-file-count.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { elementOf, listBulk, writeInstance } from '../formats/dicom/write-instance.ts';
 import type { JsonPixels, JsonSet } from '../formats/dicom/write-instance.ts';
+import type { ReadOptions } from './byte-store.ts';
 import type { FetchOptions } from './download.ts';
 import { fetchBytes } from './fetch-bytes.ts';
+import { FolderReader } from './folder-reader.ts';
+import { Queue } from './queue.ts';
 import { splitParts } from './multipart.ts';
 import type { Part } from './multipart.ts';
 import type { OpenedFiles } from './opened-files.ts';
+import type { FolderLoad } from './show-part.ts';
 
 /** Bytes of frames that are asked for at once, and the number of frames. */
-const [frameBytes, maxFrames] = [2 ** 22, 64];
+const [bytesAtOnce, maxFrames] = [2 ** 22, 64];
 
-/** Requests of one instance at once: those of several instances come besides. */
+/** Requests at once, of all instances together. */
 const ahead = 6;
 
 const octets = 'application/octet-stream';
@@ -40,33 +44,45 @@ const plain: ReadonlySet<string> = new Set([
 ]);
 
 type Reading = Omit<FetchOptions, 'onProgress' | 'isEnough'> & Partial<Pick<FetchOptions, 'onProgress'>>;
+type QueuedReading = Reading & { readonly queue: Queue };
 
 /**
- * Reads the list of a series, middle slices first. Each instance is fetched when it is read: its frames as the server has them.
+ * Reads the list of a series, and its middle instance. The list says all but the pixels: these are fetched when they are
+ * asked for, frames as the server has them.
  * @param address - ends in `/studies/…/series/…`, or in an instance of it; what follows a question mark is added to all addresses
+ * @param load - reads the files of series in parts; they are read as a whole if undefined
  * @throws {VolumeViewError} `source/…`, `format/…`; messages have no address but this one
  */
-export async function openDicomWeb(address: string, reading: Reading): Promise<OpenedFiles> {
+export async function openDicomWeb(address: string, given: Reading, load?: FolderLoad): Promise<OpenedFiles> {
+  const reading = { ...given, queue: new Queue(ahead) };
   const { origin, pathname, search } = new URL(address);
   const [series] = /^.*\/series\/[\d.]+/.exec(pathname)!;
   const sets = await readMetadata(`${origin}${pathname}/metadata${search}`, reading);
   checkFileCount('the DICOMweb series', sets.length);
+  const base = `${origin}${pathname.slice(0, pathname.indexOf('/studies/'))}`;
   const instances = new Map<string, { readonly set: JsonSet; readonly place: number }>();
   for (const [place, set] of middleFirst(sets).entries())
     instances.set(`${origin}${series}/instances/${instanceOf(set)}`, { set, place });
   const files = [...instances.keys()];
-  const base = `${origin}${pathname.slice(0, pathname.indexOf('/studies/'))}`;
+  const isSeveral = files.length > 1;
+  const read = async (url: string, { range, ...options }: ReadOptions): Promise<DecodeInput> => {
+    const instance = instances.get(url);
+    if (!instance) throw notNamed();
+    const what = isSeveral ? `instance ${instance.place + 1} of ${files.length}` : 'the instance';
+    const how = { url, base, search, what, reading: { ...reading, ...options } };
+    return range ? readStart(instance.set, how) : readInstance(instance.set, how);
+  };
+  const [first] = files;
+  const whole = await read(first, { onProgress: load?.onProgress });
+  const store = { list: async () => files, stat: async () => ({ size: null }), read };
   return {
-    first: files[0],
-    ...(files.length > 1 ? { files } : {}),
+    first,
+    ...(isSeveral && { files }),
+    ...(isSeveral &&
+      load && { folder: await FolderReader.of(store, files, read, { load, whole: [whole], signal: reading.signal }) }),
     isPrivate: true,
     source: { kind: 'DICOMweb', count: files.length },
-    async read(url, options) {
-      const instance = instances.get(url);
-      if (!instance) throw notNamed();
-      const what = files.length > 1 ? `instance ${instance.place + 1} of ${files.length}` : 'the instance';
-      return readInstance(instance.set, { url, base, search, what, reading: { ...reading, ...options } });
-    },
+    read: async (url, options) => (url === first ? whole : read(url, options)),
   };
 }
 
@@ -74,7 +90,7 @@ function notNamed(): VolumeViewError {
   return new VolumeViewError('source/not-found', 'the DICOMweb series names files that it does not hold');
 }
 
-async function readMetadata(url: string, reading: Reading): Promise<JsonSet[]> {
+async function readMetadata(url: string, reading: QueuedReading): Promise<JsonSet[]> {
   const { bytes } = await fetchFrom(url, {
     accept: 'application/dicom+json',
     what: 'the list of the DICOMweb series',
@@ -115,7 +131,7 @@ function instanceOf(set: JsonSet): string {
 
 const numbersOf = (set: JsonSet, id: number): number[] => (elementOf(set, id)?.Value ?? []).map(Number);
 
-/** In the order of their places along the normal, else of their numbers; then from the middle to both ends. */
+/** The instance in the middle, by their places along the normal, else by their numbers; then the others as they are listed. */
 function middleFirst(sets: readonly JsonSet[]): JsonSet[] {
   const [x, y, z, u, v, w] = numbersOf(sets[0], 0x00200037);
   const normal = [y * w - z * v, z * u - x * w, x * v - y * u];
@@ -126,10 +142,8 @@ function middleFirst(sets: readonly JsonSet[]): JsonSet[] {
   };
   const sorted = sets.map((set) => ({ set, place: placeOf(set) }));
   sorted.sort((a, b) => a.place - b.place);
-  const middle = (sorted.length - 1) / 2;
-  const ranked = sorted.map(({ set }, i) => ({ set, from: Math.abs(i - middle) }));
-  ranked.sort((a, b) => a.from - b.from);
-  return ranked.map(({ set }) => set);
+  const { set: middle } = sorted[sorted.length >> 1];
+  return [middle, ...sets.filter((set) => set !== middle)];
 }
 
 interface InstanceReading {
@@ -139,18 +153,57 @@ interface InstanceReading {
   readonly search: string;
   /** For messages. */
   readonly what: string;
-  readonly reading: Reading;
+  readonly reading: QueuedReading;
 }
 
 async function readInstance(set: JsonSet, how: InstanceReading): Promise<DecodeInput> {
   const { url, reading } = how;
   let loaded = 0;
   const count = (bytes: number): void => reading.onProgress?.((loaded += bytes), 0);
-  const addresses = [...new Set(listBulk(set))];
-  const bulk = new Map<string, Uint8Array<ArrayBuffer>>();
-  for (const address of addresses) bulk.set(address, await readBulk(address, how, count));
+  const bulk = await readAllBulk(set, how, count);
   const pixels = await readPixels(set, how, count);
   return { bytes: writeInstance(set, bulk, pixels), url, contentType: 'application/dicom' };
+}
+
+/** What the list says of an instance: a file without its pixels. Those of several frames are read as a whole. */
+async function readStart(set: JsonSet, how: InstanceReading): Promise<DecodeInput> {
+  const input = { url: how.url, contentType: 'application/dicom' };
+  const pixels = describePixels(set, how.what);
+  if (!pixels) return { ...input, bytes: writeInstance(set, await readAllBulk(set, how, () => undefined), null) };
+  const { id, frames, frameBytes } = pixels;
+  const announced = Math.ceil(frames * frameBytes);
+  const unread: JsonPixels = { id, syntax: littleEndian, isPacked: false, pieces: [], announced };
+  return {
+    ...input,
+    bytes: writeInstance(set, await readAllBulk(set, how, () => undefined), unread),
+    missing: announced,
+  };
+}
+
+async function readAllBulk(
+  set: JsonSet,
+  how: InstanceReading,
+  count: (bytes: number) => void,
+): Promise<ReadonlyMap<string, Uint8Array<ArrayBuffer>>> {
+  const bulk = new Map<string, Uint8Array<ArrayBuffer>>();
+  for (const address of new Set(listBulk(set))) bulk.set(address, await readBulk(address, how, count));
+  return bulk;
+}
+
+/** What the list says of the pixels of an instance; null where it has none. @throws {VolumeViewError} `format/corrupt` */
+function describePixels(
+  set: JsonSet,
+  what: string,
+): { readonly id: number; readonly bits: number; readonly frames: number; readonly frameBytes: number } | null {
+  const [rows, columns] = [0x00280010, 0x00280011].map((id) => numbersOf(set, id)[0]);
+  if (!(rows > 0 && columns > 0)) return null;
+  const [bits = 8] = numbersOf(set, 0x00280100);
+  const [samples = 1] = numbersOf(set, 0x00280002);
+  const [frames = 1] = numbersOf(set, 0x00280008);
+  if (!(Number.isInteger(frames) && frames >= 1 && frames <= 2 ** 16))
+    throw new VolumeViewError('format/corrupt', `${what} got ${String(frames)} frames; expected 1 to 65,536`);
+  const id = [0x7fe00008, 0x7fe00009].find((one) => elementOf(set, one)) ?? 0x7fe00010;
+  return { id, bits, frames, frameBytes: (rows * columns * samples * bits) / 8 };
 }
 
 /** The pixels of an instance: frame by frame, except for numbers that frames do not have on all servers. */
@@ -159,20 +212,13 @@ async function readPixels(
   how: InstanceReading,
   count: (bytes: number) => void,
 ): Promise<JsonPixels | null> {
-  const [rows, columns] = [0x00280010, 0x00280011].map((id) => numbersOf(set, id)[0]);
-  if (!(rows > 0 && columns > 0)) return null;
-  const [bits = 8] = numbersOf(set, 0x00280100);
-  const floats = [0x7fe00008, 0x7fe00009].find((id) => elementOf(set, id));
-  const whole = floats ?? (bits === 1 ? 0x7fe00010 : undefined);
-  const address = whole === undefined ? undefined : elementOf(set, whole)?.BulkDataURI;
-  if (whole !== undefined && typeof address === 'string')
-    return { id: whole, syntax: littleEndian, isPacked: false, pieces: [await readBulk(address, how, count)] };
-  const [frames = 1] = numbersOf(set, 0x00280008);
-  if (!(Number.isInteger(frames) && frames >= 1 && frames <= 2 ** 16))
-    throw new VolumeViewError('format/corrupt', `${how.what} got ${String(frames)} frames; expected 1 to 65,536`);
-  const [samples = 1] = numbersOf(set, 0x00280002);
-  const size = (rows * columns * samples * bits) / 8;
-  const step = Math.max(1, Math.min(maxFrames, Math.floor(frameBytes / size)));
+  const described = describePixels(set, how.what);
+  if (!described) return null;
+  const { id, bits, frames, frameBytes: size } = described;
+  const address = id !== 0x7fe00010 || bits === 1 ? elementOf(set, id)?.BulkDataURI : undefined;
+  if (typeof address === 'string')
+    return { id, syntax: littleEndian, isPacked: false, pieces: [await readBulk(address, how, count)] };
+  const step = Math.max(1, Math.min(maxFrames, Math.floor(bytesAtOnce / size)));
   const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => 1 + i * step);
   const parts: Part[][] = [];
   let next = 0;
@@ -241,7 +287,12 @@ async function readBulk(
 const refusals: ReadonlySet<unknown> = new Set([400, 406, 415, 500, 501]);
 
 /** An answer that is cut short is asked for once more. */
-async function readParts(url: string, what: string, reading: Reading, count: (bytes: number) => void): Promise<Part[]> {
+async function readParts(
+  url: string,
+  what: string,
+  reading: QueuedReading,
+  count: (bytes: number) => void,
+): Promise<Part[]> {
   let accept = anySyntax;
   for (let isLast = false; ; isLast = true) {
     try {
@@ -258,27 +309,34 @@ async function readParts(url: string, what: string, reading: Reading, count: (by
 /** @throws {VolumeViewError} `source/…`, `format/too-large`: without the address, which has numbers of a patient's study */
 async function fetchFrom(
   url: string,
-  { accept, what, reading, count }: { accept: string; what: string; reading: Reading; count?: (bytes: number) => void },
+  {
+    accept,
+    what,
+    reading,
+    count,
+  }: { accept: string; what: string; reading: QueuedReading; count?: (bytes: number) => void },
 ): Promise<DecodeInput> {
   const ask = reading.fetch ?? fetch;
   let [before, status] = [0, 0];
   try {
-    return await fetchBytes(url, {
-      ...reading,
-      fetch: async (address, options) => {
-        const response = await ask(address, {
-          ...options,
-          headers: { ...Object.fromEntries(new Headers(options?.headers)), accept },
-        });
-        status = response.status;
-        return response;
-      },
-      onProgress: (loaded, total) => {
-        if (!count) return reading.onProgress?.(loaded, total);
-        count(loaded - before);
-        before = loaded;
-      },
-    });
+    return await reading.queue.run(() =>
+      fetchBytes(url, {
+        ...reading,
+        fetch: async (address, options) => {
+          const response = await ask(address, {
+            ...options,
+            headers: { ...Object.fromEntries(new Headers(options?.headers)), accept },
+          });
+          status = response.status;
+          return response;
+        },
+        onProgress: (loaded, total) => {
+          if (!count) return reading.onProgress?.(loaded, total);
+          count(loaded - before);
+          before = loaded;
+        },
+      }),
+    );
   } catch (cause) {
     reading.signal?.throwIfAborted();
     if (!(cause instanceof VolumeViewError)) throw cause;

@@ -41,7 +41,7 @@ export async function openFiles(
 ): Promise<OpenedFiles> {
   if (typeof given === 'string') {
     if (isZarr(given)) return (await import('./open-zarr.ts')).openZarr(given, reading, options.load);
-    return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading);
+    return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading, options.load);
   }
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
   const files = await openHandles(given.files);

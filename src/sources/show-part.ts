@@ -1,3 +1,4 @@
+import type { Budget } from '../formats/base/budget.ts';
 import type { DecodedCartesianVolume } from '../formats/base/decoded-volume.ts';
 import type { CoarseListener, LoadRequest } from '../formats/base/load-request.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
@@ -5,6 +6,8 @@ import { finishVolume } from '../formats/finish-volume.ts';
 /** The load for which files are read. */
 export interface FolderLoad {
   readonly request: Pick<LoadRequest, 'limits' | 'settings'>;
+  /** Grows with files whose size is not known before they have come. */
+  readonly budget?: Pick<Budget, 'addFile'>;
   /** Receives the bytes that are read of all files together. */
   readonly onProgress: (loaded: number, total: number) => void;
   /** Taken away when a part was shown: what else stands in for the volume would come late. */

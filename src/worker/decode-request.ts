@@ -62,22 +62,21 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
-  const load = { request, onCoarse, onProgress: report('fetch') };
+  const load = { request, onCoarse, onProgress: report('fetch'), budget };
   const reading = { signal, pageOrigin, fetch, maxBytes: Math.min(maxFileBytes, budget.deviceBytes) };
-  const fetchOne: FetchOne = (url, onProgress) => {
-    const read = opened?.read ?? fetchBytes;
-    return read(url, {
-      ...reading,
-      credentials: request.files?.includes(url) ? undefined : named,
-      isEnough,
-      onProgress,
-    });
-  };
-  const fetchFile = (url: string) => fetchOne(url, load.onProgress);
+  const optionsOf = (url: string) => ({
+    ...reading,
+    credentials: request.files?.includes(url) ? undefined : named,
+    isEnough,
+  });
+  const fetchOne: FetchOne = (url, onProgress) => (opened?.read ?? fetchBytes)(url, { ...optionsOf(url), onProgress });
+  // The first one of many says nothing of all.
+  const fetchFile = (url: string) => fetchOne(url, (loaded, total) => load.onProgress(loaded, files?.[1] ? 0 : total));
+  const lists = () => loadReader(() => import('#rare/sources/fetch-files.ts'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
-    const { fetchInOrder } = await loadReader(() => import('#rare/sources/fetch-files.ts'));
-    yield* fetchInOrder(urls, fetchOne, load.onProgress);
+    yield* (await lists()).fetchInOrder(urls, fetchOne, load.onProgress);
   };
+  const openList: DecodeContext['openList'] = async (...list) => (await lists()).openList(list, optionsOf, load);
   const start = async (): Promise<DecodeInput> => {
     let first = request.local || isDicomWeb(url) || isZarr(url) ? null : await fetchFile(url);
     // A file from another server chooses what else is fetched: that must not use the reader's cookies and logins.
@@ -100,6 +99,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     return read(first!, settings, {
       fetchFile,
       fetchFiles,
+      openList: opened ? undefined : openList,
       files,
       onProgress: report('decode'),
       onScans,

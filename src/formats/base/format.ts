@@ -34,7 +34,7 @@ export interface FileAccess {
 /** Of each file of a folder so many bytes are kept from the first look at it: the start of most, up to their data. */
 export const keptBytes = 2 ** 14;
 
-/** Many files of a disk or of an archive, any part of which is read at once: they need not be in memory together. */
+/** Many files of which the starts are read first: they need not be in memory together. */
 export interface FolderAccess {
   /** The first bytes of a file; the input says how many are `missing`. */
   readStart(url: string, bytes: number): Promise<DecodeInput>;
@@ -49,8 +49,10 @@ export interface FolderAccess {
 }
 
 export interface ReadContext extends FileAccess {
-  /** Set for files of a disk or of an archive, each of which is a part of a volume: of the first one only the start is given. */
+  /** Set for files each of which is a part of a volume: those of a disk or of an archive, of which the first one's start is given, and those of a series on a server. */
   readonly folder?: FolderAccess;
+  /** Reads the files of a list on servers in the same way. @param first - the first file, as a whole @param urls - all files, absolute */
+  readonly openList?: (first: DecodeInput, urls: readonly string[]) => Promise<FolderAccess>;
   readonly onProgress: ProgressListener;
   /** Readers take their bytes from it before they allocate anything. */
   readonly budget: Budget;
@@ -64,8 +66,14 @@ export interface ReadContext extends FileAccess {
   /**
    * Decodes a file that this one names. @param files - absolute URLs of a stack, `first` included; undefined if it is
    * not a stack
+   * @param openList - in place of that of the context
    */
-  decode(first: DecodeInput, files: readonly string[] | undefined, settings: DecodeSettings): Promise<DecodedVolume>;
+  decode(
+    first: DecodeInput,
+    files: readonly string[] | undefined,
+    settings: DecodeSettings,
+    openList?: ReadContext['openList'],
+  ): Promise<DecodedVolume>;
 }
 
 /** Makes a volume from a file; throws {VolumeViewError} `format/…`. */

@@ -1,4 +1,4 @@
-// A small volume of some slices, which is shown until all are there.
+// A small volume of some slices, which is shown until all are there, and the order in which slices are read for it.
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { CartesianGrid } from '../../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../../volume/matrix.ts';
@@ -11,7 +11,7 @@ import type { StoredType } from './picture.ts';
 const apart = 8;
 
 /** Stacks of fewer slices are read at once. */
-const minSlices = 32;
+export const minSlices = 32;
 
 /** Voxels of the small volume, of which one in a row and in a column is taken for several. */
 const maxVoxels = 2 ** 21;
@@ -19,6 +19,15 @@ const maxVoxels = 2 ** 21;
 /** Slices that come first, in equal steps over the whole stack, by their numbers; none for a stack of few. */
 export function chooseFirst(slices: number): number[] {
   return slices < minSlices ? [] : choosePlaces(slices, Math.ceil(slices / apart));
+}
+
+/** In what order slices are read: those that come first, then the others, of both the middle ones first. @param first - by their numbers */
+export function orderSlices(slices: number, first: readonly number[]): number[] {
+  const early = new Set(first);
+  const middle = (slices - 1) / 2;
+  const all = Array.from({ length: slices }, (_, k) => k);
+  all.sort((a, b) => Number(early.has(b)) - Number(early.has(a)) || Math.abs(a - middle) - Math.abs(b - middle));
+  return all;
 }
 
 /**

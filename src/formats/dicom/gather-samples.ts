@@ -4,6 +4,7 @@ import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { ReadContext } from '../base/format.ts';
 import { numberTypes } from '../base/number-types.ts';
 import { readAhead } from '../base/read-ahead.ts';
+import { orderSlices } from './coarse-part.ts';
 import { checkDamage, describeDamage, findDamage } from './damage.ts';
 import type { Damage } from './damage.ts';
 import { arrayOf, checkFrames, decodeFrame } from './decode-frame.ts';
@@ -86,14 +87,22 @@ export async function gatherSamples(
     }
   };
   const kept = scale ?? { slope: 1, intercept: 0 };
-  const early = new Set(first);
-  const order = [...early, ...Array.from(slices, (_, k) => k).filter((k) => !early.has(k))];
+  const order = folder ? orderSlices(slices.length, first) : Array.from(slices, (_, k) => k);
   let done = 0;
   const load = async (k: number): Promise<Frame | null> => {
     const frame = slices[k];
     if (!frame || damage.found.has(frame)) return null;
     const { url } = frame.picture;
     return url === null ? frame : { ...frame, picture: await loadPixels(frame.picture, context) };
+  };
+  /** A server may say with the pixels how they are packed. */
+  const packings = new Set(pictures.map(({ syntax }) => syntax.packing));
+  const prepare = async ({ picture }: Frame): Promise<void> => {
+    const { packing } = picture.syntax;
+    if (packings.has(packing)) return;
+    packings.add(packing);
+    pictures.push(picture);
+    libraries = await loadLibraries(pictures);
   };
   const ahead = folder?.plan(order.map((k) => slices[k]?.picture.url ?? null).filter((url) => url !== null));
   for await (const loaded of readAhead(order, load, ahead)) {
@@ -102,15 +111,17 @@ export async function gatherSamples(
     done++;
     try {
       if (loaded.status === 'rejected') throw loaded.reason;
-      if (loaded.value) place(k, loaded.value);
-      else leaveEmpty(k);
+      if (loaded.value) {
+        await prepare(loaded.value);
+        place(k, loaded.value);
+      } else leaveEmpty(k);
     } catch (error) {
       damage.add(slices[k]!, error);
       leaveEmpty(k);
       // A library that met damaged pixels may have ended itself: the other slices get a new one.
       libraries = await loadLibraries(pictures);
     }
-    if (done === early.size && done < order.length) await onFirst({ type, numbers: all, ...kept });
+    if (done === first.length && done < order.length) await onFirst({ type, numbers: all, ...kept });
   }
   if (resample) {
     const made = allocate(type, [columns, rows, resample.length], budget);

@@ -53,10 +53,13 @@ export async function loadPixels(picture: Picture, { folder, budget }: Files): P
   const { url, what } = picture;
   if (url === null) return picture;
   const { bytes } = await folder!.readWhole(url);
-  const { pixels } = readDicomFile(bytes, budget, what);
+  const file = readDicomFile(bytes, budget, what);
+  const { pixels, syntax } = file;
   if (!pixels)
     throw corruptFile(what, 'has no pixels any longer: it was changed while it was read. Choose the files again');
-  const whole = { ...picture, pixels, url: null };
+  // A server may say with the pixels how they are packed, on which the colours of a picture depend.
+  const known = syntax.packing === picture.syntax.packing ? picture : readPicture(file, what)!;
+  const whole = { ...known, pixels, url: null };
   checkFrames(whole);
   return whole;
 }

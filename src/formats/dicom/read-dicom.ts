@@ -7,7 +7,7 @@ import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { chooseFirst, coarsenGrid, cutCoarsePart } from './coarse-part.ts';
+import { chooseFirst, coarsenGrid, cutCoarsePart, minSlices } from './coarse-part.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
 import type { Gathered } from './gather-samples.ts';
@@ -24,9 +24,13 @@ import { stackFrames } from './stack-frames.ts';
  * their place, their kind (such as CT) and their window: no name, no number of a patient, no date. Messages say 'file 12
  * of 300', because names of files may be those of patients.
  */
-export const readDicom: FormatReader = async (input, settings, context) => {
-  const files = 1 + context.further.length;
+export const readDicom: FormatReader = async (input, settings, given) => {
+  const urls = [input.url, ...given.further];
+  const files = urls.length;
   try {
+    // Of a list that is read at once, files are fetched but once.
+    const folder = given.folder ?? (files < minSlices ? undefined : await given.openList?.(input, urls));
+    const context = { ...given, folder };
     const { frames, left, labels } = await readFrames(input, context, files);
     if (labels) {
       const { readLabels } = await loadReader(() => import('./read-labels.ts'));

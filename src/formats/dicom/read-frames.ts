@@ -31,7 +31,7 @@ export interface ReadFrames extends ChosenFrames {
 const describingBytes = 1500;
 
 /**
- * The frames of all files, and what files are left out. Of files that lie at hand only what is before the pixels is read.
+ * The frames of all files, and what files are left out. Of files that are read in parts only what is before the pixels is read.
  * @throws {VolumeViewError} where no file has a picture, or most are damaged
  */
 export async function readFrames(input: DecodeInput, context: ReadContext, files: number): Promise<ReadFrames> {

@@ -22,6 +22,8 @@ export interface JsonPixels {
   /** One for each frame, or all together. */
   readonly pieces: readonly Uint8Array<ArrayBuffer>[];
   readonly isPacked: boolean;
+  /** Bytes that the element says it has where its pieces are left out; undefined where they are not. */
+  readonly announced?: number;
 }
 
 /** An element of a set; undefined where it is missing. */
@@ -175,13 +177,13 @@ function writeItem(value: Pieces): Pieces {
   ];
 }
 
-function writePixels({ id, pieces, isPacked }: JsonPixels): Pieces {
+function writePixels({ id, pieces, isPacked, announced }: JsonPixels): Pieces {
   const vr = id === 0x7fe00008 ? 'OF' : id === 0x7fe00009 ? 'OD' : isPacked ? 'OB' : 'OW';
-  if (!isPacked) return writeElement(id, vr, [...pieces]);
+  if (announced === undefined && !isPacked) return writeElement(id, vr, [...pieces]);
   const items = pieces.flatMap((piece) => [mark(0xe000, piece.length), piece]);
   const [header] = writeElement(id, vr, []);
-  new DataView(header.buffer).setUint32(8, 0xffffffff, true);
-  return [header, mark(0xe000, 0), ...items, mark(0xe0dd, 0)];
+  new DataView(header.buffer).setUint32(8, announced ?? 0xffffffff, true);
+  return announced === undefined ? [header, mark(0xe000, 0), ...items, mark(0xe0dd, 0)] : [header];
 }
 
 function mark(number: number, length: number): Uint8Array<ArrayBuffer> {

@@ -44,7 +44,12 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
   if (isRadar(merged)) context.onRadar?.();
   const volume = manifest.raw
     ? await readRawFiles(manifest.raw, urls, merged, context)
-    : await context.decode(await context.fetchFile(urls[0]), manifest.files && urls, merged);
+    : await context.decode(
+        await context.fetchFile(urls[0]),
+        manifest.files && urls,
+        merged,
+        openDescribed(context, manifest),
+      );
   // The reader of a radar's mosaic has applied slope and intercept already.
   const described = describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
   return applyPrepared(described, manifest, context.budget);
@@ -103,8 +108,25 @@ function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSett
   };
 }
 
+/** A part of the data looks as the whole will. */
+function openDescribed({ openList }: ReadContext, manifest: Manifest): ReadContext['openList'] {
+  return (
+    openList &&
+    (async (first, urls) => {
+      const folder = await openList(first, urls);
+      return {
+        readStart: (url, bytes) => folder.readStart(url, bytes),
+        readWhole: (url) => folder.readWhole(url),
+        plan: (order) => folder.plan(order),
+        expect: (expected) => folder.expect(expected),
+        showPart: (part, grid) => folder.showPart(describeVolume(part, manifest), grid),
+      };
+    })
+  );
+}
+
 /** Adds to a volume what its manifest says about the values. */
-function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolume {
+function describeVolume<T extends DecodedVolume>(volume: T, manifest: Manifest): T {
   const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
   const isRescaled = slope !== 1 || intercept !== 0;
   return {

@@ -1,5 +1,6 @@
 // Series on DICOMweb servers: a server of the test, and Orthanc where it is installed.
 import { expect } from '@esm-bundle/chai';
+import type { CoarseVolume } from '../../../src/formats/base/load-request.ts';
 import { decodeRequest } from '../../../src/worker/decode-request.ts';
 import type { RequestEnvironment } from '../../../src/worker/decode-request.ts';
 import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
@@ -79,6 +80,54 @@ describe('a series on a DICOMweb server', () => {
       expect(Math.min(...away.slice(-3))).to.be.at.least(4);
       expect(places).to.have.length(15);
       expect(most()).to.be.within(2, 6);
+    });
+  });
+
+  it('shows every eighth slice before the others are asked for', async () => {
+    await withWeb(slices(40), {}, async ({ url, asked }) => {
+      const coarse: CoarseVolume[] = [];
+      let before = 0;
+      const volume = await load(url, {
+        onCoarse: (one) => {
+          if (one) coarse.push(one);
+          before = asked.length;
+        },
+      });
+      expect(coarse).to.have.length(1);
+      expect(coarse[0].volume.grid).to.deep.include({ dimensions: [4, 3, 5] });
+      expect(coarse[0].of.grid).to.deep.equal(volume.grid);
+      // The list, the middle slice, the other first ones, and those that are on their way by then.
+      expect(before).to.be.within(6, 6 + 7);
+      expect(asked).to.have.length(41);
+    });
+  });
+
+  it('of which another series of the same address is left out is fetched without that', async () => {
+    const others = Array.from({ length: 3 }, (_, k) => ({
+      fields: { ...ctSlice(5 * k, { SeriesInstanceUID: '7.7' }, 7), SOPInstanceUID: `1.2.9.${k}` },
+    }));
+    await withWeb([...slices(9), ...others], {}, async ({ url, asked }) => {
+      const volume = await load(url);
+      expect(volume.grid).to.deep.include({ dimensions: [4, 3, 9] });
+      // The list, the nine slices, and one more of each series for its small picture.
+      expect(asked.length).to.be.at.most(1 + 9 + 2);
+    });
+  });
+
+  it('of several instances of many frames asks for six answers at a time at most', async () => {
+    const many = Array.from({ length: 4 }, (_, n): WebInstance => ({
+      fields: {
+        ...ctSlice(0),
+        SOPInstanceUID: `1.2.8.${n}`,
+        ImagePositionPatient: [0, 0, 1000 * n],
+        NumberOfFrames: '150',
+        SpacingBetweenSlices: [2],
+        PixelData: new Uint8Array(Uint16Array.from({ length: 1800 }, (_, i) => i).buffer),
+      },
+    }));
+    await withWeb(many, { slowMs: 1 }, async ({ url, most }) => {
+      await load(url).catch(() => null);
+      expect(most()).to.equal(6);
     });
   });
 
