@@ -46,7 +46,7 @@ async function withFiles<T>(
   const asked: Asked[] = [];
   let [running, most] = [0, 0];
   globalThis.fetch = async (url, { headers, signal } = {}) => {
-    const address = String(url);
+    const address = url as string;
     const range = new Headers(headers).get('range');
     const status = habits.fail?.(asked.length, address);
     asked.push({ name: address.slice(origin.length + 1), isPart: range !== null });
@@ -227,7 +227,7 @@ describe('a list of DICOM files on a server', function () {
   it('of a manifest looks from the first slices on as the manifest says', async () => {
     const manifest = { files: list.map((url) => url.slice(origin.length + 1)), title: 'A head', unit: 'x', slope: 2 };
     const url = `${origin}/volume.json`;
-    const bytes = new TextEncoder().encode(JSON.stringify(manifest)) as Uint8Array<ArrayBuffer>;
+    const bytes = new TextEncoder().encode(JSON.stringify(manifest));
     await withFiles(new Map([...files, [url, bytes]]), {}, async (served) => {
       const { volume, coarse } = await load({ url, files: undefined }, served);
       await expectSame(volume);
