@@ -3,29 +3,11 @@
 // SIZES are pixels along each side, SECONDS those of the orbit, SCENES=mri,storm names some of the scenes.
 import { countGpuBytes } from './count-gpu-bytes.mjs';
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { scenes } from './gpu-scenes.mjs';
 import { readSizes, repeats } from './knobs.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
 
 const seconds = Number(process.env.SECONDS ?? 4);
-
-/** Tags as authors write them: attributes of `<volume-view>`, and children. */
-const scenes = {
-  mri: { name: 'MRI, lit (default)', attributes: { src: '/demos/data/mni152-t1.nii.gz' } },
-  fog: {
-    name: 'MRI, fog',
-    attributes: { src: '/demos/data/mni152-t1.nii.gz', 'transfer-function': 'mri', shading: 'unlit' },
-  },
-  ct: { name: 'CT (default)', attributes: { src: '/demos/data/ct-phantom.nii.gz' } },
-  surface: {
-    name: 'MRI, iso-surface',
-    attributes: { src: '/demos/data/mni152-t1.nii.gz', 'surface-values': '38% #e2b9a6' },
-  },
-  maximum: {
-    name: 'MRI, maximum intensity',
-    attributes: { src: '/demos/data/mni152-t1.nii.gz', projection: 'max' },
-  },
-  storm: { name: 'Storm, radar', attributes: { src: '/demos/data/storm-radar.json' } },
-};
 
 /** Times of a page's own tasks, and what a picture needs to be checked, may take this long: ms. */
 const checkTimeout = 30000;

@@ -25,6 +25,7 @@ const programs = [
   'choices',
   'motion',
   'gpu',
+  'dial',
   'default-look',
   'codecs',
   'folder',
