@@ -6,7 +6,7 @@ import type { ScanData } from '../formats/base/scan-data.ts';
 import type { ScanTimes } from '../formats/base/choose-scan.ts';
 import { decodeFile, explain } from '../formats/decode.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
-import { readPlacedScan } from '../formats/series/read-scan.ts';
+import { readPlacedScan } from '../formats/read-placed-scan.ts';
 import type { ByteStore } from '../sources/byte-store.ts';
 import { fetchInOrder } from '../sources/fetch-files.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';

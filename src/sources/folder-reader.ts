@@ -85,6 +85,10 @@ export class FolderReader implements FolderAccess {
     return input;
   }
 
+  sourceOf(url: string): Blob | string | null {
+    return this.store.sourceOf?.(url) ?? null;
+  }
+
   plan(urls: readonly string[]): number {
     return this.#whole.plan(urls, (url) => this.sizes.get(url) ?? 0);
   }

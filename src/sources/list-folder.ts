@@ -48,6 +48,10 @@ class ListStore implements ByteStore {
     return { size: this.#sizes.get(url) ?? null };
   }
 
+  sourceOf(url: string): string {
+    return url;
+  }
+
   async read(url: string, { range, onProgress = () => undefined }: ReadOptions = {}): Promise<DecodeInput> {
     const options = { ...this.optionsOf(url), onProgress };
     const kept = this.#whole.get(url);

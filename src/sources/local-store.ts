@@ -72,6 +72,10 @@ export class LocalStore implements ByteStore {
     }
   }
 
+  sourceOf(url: string): Blob {
+    return this.#find(url);
+  }
+
   async readTogether(
     urls: readonly string[],
     { range, signal }: Pick<ReadOptions, 'range' | 'signal'>,

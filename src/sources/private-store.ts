@@ -19,10 +19,15 @@ export class PrivateStore implements ByteStore {
   /** Names without ending, and folders, by what they are called here, with the folder. */
   readonly #parts = new Map<string, string>();
 
+  /** Set where the inner store has it. A file has a name, which whoever gets it must not say. */
+  readonly sourceOf?: ByteStore['sourceOf'];
+
   private constructor(
     private readonly store: ByteStore,
     readonly base: string,
-  ) {}
+  ) {
+    if (store.sourceOf) this.sourceOf = (url) => store.sourceOf!(urlInStore(base, this.#find(pathIn(url, base))));
+  }
 
   /** @param base - of the URLs of both stores, ends with a slash @param isLeftOut - by its path, for what is no file of a volume */
   static async of(store: ByteStore, base: string, isLeftOut: (url: string) => boolean): Promise<PrivateStore> {

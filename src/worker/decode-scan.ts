@@ -7,7 +7,7 @@ import type { DecodeContext } from '../formats/decode.ts';
 import type { PlaceData, ScanData } from '../formats/base/scan-data.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 import { readPlaceOverTime } from '../formats/series/read-place-over-time.ts';
-import { readPlacedScan } from '../formats/series/read-scan.ts';
+import { readPlacedScan } from '../formats/read-placed-scan.ts';
 import type { FileTree } from '../formats/zarr/file-tree.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type { FetchOptions } from '../sources/download.ts';

@@ -4,7 +4,7 @@ import { Budget } from '../../src/formats/base/budget.ts';
 import type { ScanTarget, ScanTimes } from '../../src/formats/base/choose-scan.ts';
 import type { DecodeInput } from '../../src/formats/base/decoded-volume.ts';
 import type { ScanData } from '../../src/formats/base/scan-data.ts';
-import { readPlacedScan } from '../../src/formats/series/read-scan.ts';
+import { readPlacedScan } from '../../src/formats/read-placed-scan.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fixtureContext, roomyLimits, urlOf } from './decode.ts';

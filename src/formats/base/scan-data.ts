@@ -3,6 +3,16 @@ import type { DecodedCartesianVolume } from './decoded-volume.ts';
 /** Where the numbers of one volume lie: kept by the browser outside of a page's own memory, or a part of a file. */
 export type ScanBytes = Blob | { readonly url: string; readonly start: number; readonly end: number };
 
+/**
+ * The files whose slices are one volume, which are decoded when it is shown: as they are kept by the browser, or their
+ * URLs. Only a reader knows how.
+ */
+export interface ScanFiles {
+  readonly files: readonly (Blob | string)[];
+  /** Of each slice, its file, by its place in `files`, and its picture in that file, from 0. */
+  readonly slices: readonly (readonly [file: number, picture: number])[];
+}
+
 /** What all volumes of a file have in common: everything but their values. */
 export type SeriesInfo = Omit<
   DecodedCartesianVolume,
@@ -14,7 +24,7 @@ export type SeriesInfo = Omit<
  * back to the worker, so it is plain data.
  */
 export interface ScanData {
-  readonly from: ScanBytes;
+  readonly from: ScanBytes | ScanFiles;
   /** Name of the type of its numbers: 'int16'. */
   readonly type: string;
   readonly littleEndian: boolean;
@@ -26,6 +36,14 @@ export interface ScanData {
   /** The same object for all volumes of a file. */
   readonly series: SeriesInfo;
 }
+
+/** A volume whose numbers lie one after another. */
+export type ScanNumbers = ScanData & { readonly from: ScanBytes };
+
+export const hasFiles = (from: ScanData['from']): from is ScanFiles => 'slices' in from;
+
+/** Whether the numbers of a volume lie one after another. */
+export const hasNumbers = (scan: ScanData): scan is ScanNumbers => !hasFiles(scan.from);
 
 /** Some bytes of each of several volumes: the numbers of one place over all times. They are read as a volume of as many voxels. */
 export type PlaceData = Omit<ScanData, 'from'> & { readonly from: readonly ScanBytes[] };

@@ -1,81 +1,71 @@
-// The volumes of several times, each of which is kept until it is shown.
+// The volumes of several times, of which only the one that is shown is decoded, where the files of the others can be read later.
+import { VolumeViewError } from '../../core/errors.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
-import type { CartesianGrid } from '../../volume/grid.ts';
+import { chooseScan } from '../base/choose-scan.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import { hostIsLittleEndian, numberTypes } from '../base/number-types.ts';
-import { placeVolume } from '../base/place-volume.ts';
-import type { SeriesInfo } from '../base/scan-data.ts';
-import { countKept } from '../series/keep-volumes.ts';
-import { openSeries } from '../series/open-series.ts';
-import { arrayOf } from './decode-frame.ts';
+import { loadReader } from '../base/load-reader.ts';
+import { hostIsLittleEndian } from '../base/number-types.ts';
+import type { ScanFiles, SeriesInfo } from '../base/scan-data.ts';
+import { chooseLookedAt, joinValues, suggestByValues } from '../series/suggest-for-all.ts';
+import { describeFiles } from './describe-files.ts';
 import type { Phases } from './find-phases.ts';
-import { floatOf, gatherSamples } from './gather-samples.ts';
-import type { ChosenFrames } from './group-frames.ts';
-import type { StoredType } from './picture.ts';
+import type { Frame } from './frame.ts';
+import { gatherSamples } from './gather-samples.ts';
+import { countSlices, joinFrames } from './join-frames.ts';
+import { listFrames } from './list-frames.ts';
+import type { Picture } from './picture.ts';
 import { stackFrames } from './stack-frames.ts';
 import type { Stack } from './stack-frames.ts';
 
-type DescribeFiles = (files: ChosenFrames, anatomical: boolean, grid: CartesianGrid) => SeriesInfo;
-
-/** The numbers of one time. */
-interface Kept {
-  readonly type: StoredType;
-  readonly blob: Blob;
-  readonly slope: number;
-  readonly intercept: number;
-}
+/** So many slices of some times are decoded to choose one window for all. */
+const sampled = 3;
 
 /**
- * Decodes the volumes of all times, and reads the one that is wanted.
- * @returns null where they have different grids, or take more memory than a page keeps
- * @throws {VolumeViewError} as gatherSamples says
+ * Reports the times, and decodes the one that is wanted. All of them are decoded where their files can't be read again one by one.
+ * @returns null where they have different grids, or would take more memory than a page keeps
+ * @throws {VolumeViewError} as joinFrames says
  */
 export async function joinPhases(
   { frames: phases, times, left }: Phases & { readonly left: readonly string[] },
   settings: DecodeSettings,
   context: ReadContext,
-  describe: DescribeFiles,
 ): Promise<DecodedCartesianVolume | null> {
   const stacks = phases.map((frames) => stackFrames(frames));
   const [first] = stacks;
-  const slices = countSlices(first);
   if (!stacks.every((stack) => isAlike(stack, first))) return null;
   const [{ columns, rows }] = phases[0];
-  const bytes = columns * rows * slices * numberTypes.float32.bytesPerSample;
-  if (countKept({ bytes, count: phases.length }, context.budget) < phases.length) return null;
-  const kept: Kept[] = [];
-  const lost = new Set<string>();
-  for (const [i, stack] of stacks.entries()) {
-    const onProgress = (done: number, total: number): void =>
-      context.onProgress(i * total + done, phases.length * total);
-    const gathered = await gatherSamples(
-      stack,
-      { ...context, onProgress },
-      { first: [], onFirst: () => Promise.resolve() },
-    );
-    const { type, numbers, slope, intercept } = gathered;
-    kept.push({ type, blob: new Blob([numbers.buffer as ArrayBuffer]), slope, intercept });
-    for (const words of gathered.left) lost.add(words);
+  const grid = cartesianGrid([columns, rows, countSlices(first)], first.indexToWorld);
+  const describe = (lost: readonly string[]): SeriesInfo =>
+    describeFiles({ frames: phases.flat(), left: [...left, ...first.left, ...lost] }, first.anatomical, grid);
+  const files = listFiles(phases, context);
+  if (!files) {
+    const { keepPhases } = await loadReader(() => import('./keep-phases.ts'));
+    return keepPhases({ stacks, times, describe }, settings, context);
   }
-  const type = commonType(kept.map((one) => one.type));
-  const volumes: Blob[] = [];
-  for (const one of kept) volumes.push(await convert(one, type));
-  const words = [...left, ...first.left, ...lost];
-  const grid = cartesianGrid([columns, rows, slices], first.indexToWorld);
-  const series = {
-    info: describe({ frames: phases.flat(), left: words }, first.anatomical, grid),
-    volumes,
-    count: volumes.length,
-    type,
-    littleEndian: hostIsLittleEndian,
-    scaleOf: (index: number) => ({ slope: kept[index].slope, intercept: kept[index].intercept }),
-    timeOf: (index: number) => times[index],
-  };
-  return placeVolume(await openSeries(series, settings, context), settings);
+  const looks = chooseLookedAt(phases.length).map((i) => chooseSome(stacks[i]));
+  const values = await sampleValues(looks, context);
+  const series = values.length > 0 ? await suggestByValues(describe([]), values) : describe([]);
+  const formatOf = (i: number): string => `${series.format}, volume ${i + 1} of ${phases.length}`;
+  context.onScans?.(
+    times,
+    files.map((from, i) => {
+      const [{ slope, intercept, picture }] = phases[i];
+      return {
+        from,
+        type: picture.type,
+        littleEndian: hostIsLittleEndian,
+        slope,
+        intercept,
+        format: formatOf(i),
+        series,
+      };
+    }),
+  );
+  const { index } = chooseScan(times, settings.scan!);
+  context.folder?.expect(listUrls([...phases[index], ...looks.flat()]));
+  return joinFrames({ frames: phases[index], left: [] }, settings, context, { ...series, format: formatOf(index) });
 }
-
-const countSlices = ({ resample, slices }: Stack): number => resample?.length ?? slices.length;
 
 /** Whether two stacks have the same grid: times of one scan differ in nothing but their values. */
 function isAlike(a: Stack, b: Stack): boolean {
@@ -83,16 +73,63 @@ function isAlike(a: Stack, b: Stack): boolean {
   return countSlices(a) === countSlices(b) && a.indexToWorld.every(isNear);
 }
 
-/** Places without data make floats of the numbers of a time: then all are floats. */
-function commonType(types: readonly StoredType[]): StoredType {
-  const [first] = types;
-  if (types.every((type) => type === first)) return first;
-  const floats = new Set(types.map((type) => floatOf(type)));
-  return floats.has('float64') ? 'float64' : 'float32';
+/**
+ * The files of each time. To read one of them again must not take longer than to decode that time: so each has but one
+ * picture, which may be a mosaic.
+ * @returns null where that is not so, or a file can't be read alone
+ */
+function listFiles(phases: readonly (readonly Frame[])[], { folder }: ReadContext): ScanFiles[] | null {
+  const pictures = new Set(phases.flat().map(({ picture }) => picture));
+  const sources = new Map<Picture, Blob | string>();
+  for (const picture of pictures) {
+    const { file, frames } = picture;
+    if (frames > 1) return null;
+    const source = typeof file === 'string' ? (folder?.sourceOf(file) ?? null) : new Blob([file]);
+    if (source === null) return null;
+    sources.set(picture, source);
+  }
+  return phases.map((frames) => {
+    const mine = [...new Set(frames.map(({ picture }) => picture))];
+    const tiles = new Map(mine.map((picture) => [picture, listFrames(picture)]));
+    return {
+      files: mine.map((picture) => sources.get(picture)!),
+      slices: frames.map(({ picture, corner }) => [
+        mine.indexOf(picture),
+        tiles.get(picture)!.findIndex((tile) => tile.corner.every((at, axis) => at === corner[axis])),
+      ]),
+    };
+  });
 }
 
-async function convert({ blob, type }: Kept, wanted: StoredType): Promise<Blob> {
-  if (type === wanted) return blob;
-  const numbers = new arrayOf[type](await blob.arrayBuffer());
-  return new Blob([new arrayOf[wanted](Array.from(numbers))]);
+export const listUrls = (frames: readonly Frame[]): string[] =>
+  frames.map(({ picture }) => picture.url).filter((url) => url !== null);
+
+/** Slices in equal steps over a stack. */
+function chooseSome({ slices }: Stack): Frame[] {
+  const there = slices.filter((slice) => slice !== null);
+  const places = Array.from({ length: sampled }, (_, i) => Math.floor(((i + 0.5) * there.length) / sampled));
+  return [...new Set(places)].map((k) => there[k]);
+}
+
+/** The values of some slices. What is wrong with one is said where its time is shown. */
+async function sampleValues(
+  looks: readonly (readonly Frame[])[],
+  context: ReadContext,
+): Promise<Float32Array<ArrayBuffer>> {
+  const all: Float32Array[] = [];
+  for (const slices of looks) {
+    const some = { slices, indexToWorld: [] as never, anatomical: true, left: [] };
+    try {
+      const { numbers, slope, intercept } = await gatherSamples(
+        some,
+        { ...context, onProgress: () => {} },
+        { first: [], onFirst: async () => {} },
+      );
+      all.push(Float32Array.from(numbers, (number) => slope * number + intercept));
+      context.budget.giveBack(numbers.byteLength);
+    } catch (error) {
+      if (!(error instanceof VolumeViewError && error.code.startsWith('format/'))) throw error;
+    }
+  }
+  return joinValues(all);
 }

@@ -29,7 +29,7 @@ export async function readStart(url: string, { folder, budget }: Files, what: st
     // Only what is before the pixels stays in memory.
     const kept = bytes.slice(0, start);
     const picture = readPicture(readDicomFile(kept, budget, what, bytes.length + missing - start), what);
-    return picture?.frames === 1 && listFrames(picture).length === 1 ? { ...picture, url } : null;
+    return picture?.frames === 1 && listFrames(picture).length === 1 ? { ...picture, url, file: url } : null;
   }
   return null;
 }

@@ -20,6 +20,8 @@ export interface Picture {
   readonly pixels: PixelElement;
   /** Of the file, of which only the start was read; null where the pixels are here. */
   readonly url: string | null;
+  /** Its file: the URL of a file of a folder, or the bytes. */
+  readonly file: string | Uint8Array<ArrayBuffer>;
   readonly rows: number;
   readonly columns: number;
   readonly frames: number;
@@ -57,7 +59,7 @@ export const isStructureSet = (set: DataSet): boolean => set.text(tags.sopClass)
  * @returns null for a file without pixels, such as a report
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`
  */
-export function readPicture({ set, pixels, syntax }: DicomFile, what: string): Picture | null {
+export function readPicture({ set, pixels, syntax, file }: DicomFile, what: string): Picture | null {
   if (isStructureSet(set))
     throw unsupportedFile(
       what,
@@ -86,7 +88,7 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
     );
   const numbers = readNumbers(set, pixels, what);
   return {
-    ...pictureOf({ set, pixels, syntax }, what, numbers),
+    ...pictureOf({ set, pixels, syntax, file }, what, numbers),
     isInverted: photometric === 'MONOCHROME1',
     colors,
     padding: colors ? null : readPadding(set, numbers),
@@ -94,14 +96,14 @@ export function readPicture({ set, pixels, syntax }: DicomFile, what: string): P
 }
 
 /** The same for a segmentation, whose numbers are what they are, whatever colours it has for them. */
-export function readLabelPicture({ set, pixels, syntax }: DicomFile, what: string): Picture {
+export function readLabelPicture({ set, pixels, syntax, file }: DicomFile, what: string): Picture {
   if (!pixels) throw corruptFile(what, 'is a segmentation without pixels; expected those of its segments');
   const isBits = set.number(tags.bitsAllocated) === 1;
   const numbers: Numbers = isBits
     ? { type: 'uint8', bitsAllocated: 1, bitsStored: 1, shift: 0, isSigned: false }
     : readNumbers(set, pixels, what);
   return {
-    ...pictureOf({ set, pixels, syntax }, what, numbers),
+    ...pictureOf({ set, pixels, syntax, file }, what, numbers),
     isInverted: false,
     colors: null,
     padding: isBits ? null : readPadding(set, numbers),
@@ -110,11 +112,11 @@ export function readLabelPicture({ set, pixels, syntax }: DicomFile, what: strin
 
 /** What pictures of all kinds have. @throws {VolumeViewError} `format/corrupt` */
 function pictureOf(
-  { set, pixels, syntax }: Pick<DicomFile, 'set' | 'syntax'> & Pick<Picture, 'pixels'>,
+  { set, pixels, syntax, file }: Pick<DicomFile, 'set' | 'syntax' | 'file'> & Pick<Picture, 'pixels'>,
   what: string,
   numbers: Numbers,
 ): Omit<Picture, 'isInverted' | 'colors' | 'padding'> {
-  return { what, set, syntax, pixels, url: null, ...readSize(set, what), ...numbers };
+  return { what, set, syntax, pixels, url: null, file, ...readSize(set, what), ...numbers };
 }
 
 /** @throws {VolumeViewError} `format/corrupt` */

@@ -13,6 +13,8 @@ import { joinPieces } from '../base/join-pieces.ts';
 /** What is read of a file. */
 export interface DicomFile extends Elements {
   readonly syntax: TransferSyntax;
+  /** Its bytes, as far as they were read. */
+  readonly file: Uint8Array<ArrayBuffer>;
 }
 
 /**
@@ -36,7 +38,7 @@ export function readDicomFile(bytes: Uint8Array<ArrayBuffer>, budget: Budget, wh
   const start = syntax.isDeflated ? 0 : end;
   // Whether representations are explicit is seen at the first element: some files say the other one.
   const isExplicit = /^[A-Z]{2}$/.test(String.fromCharCode(...body.subarray(start + 4, start + 6)));
-  return { ...readElements(body, start, { isExplicit, littleEndian, budget, what, missing }), syntax };
+  return { ...readElements(body, start, { isExplicit, littleEndian, budget, what, missing }), syntax, file: bytes };
 }
 
 /** The data set of a deflated file: a stream without a header (PS3.5, A.5). */

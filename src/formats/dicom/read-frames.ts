@@ -97,9 +97,9 @@ async function* readPictures(
   }
   const read = async (url: string, i: number): Promise<Picture | null> => {
     const what = nameOne(i + 1, files);
-    return (
-      (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what)
-    );
+    const picture =
+      (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what);
+    return picture && { ...picture, file: url };
   };
   for await (const one of readAhead([input.url, ...further], read)) {
     yield () => {

@@ -117,6 +117,7 @@ function openDescribed({ openList }: ReadContext, manifest: Manifest): ReadConte
       return {
         readStart: (url, bytes) => folder.readStart(url, bytes),
         readWhole: (url) => folder.readWhole(url),
+        sourceOf: (url) => folder.sourceOf(url),
         plan: (order) => folder.plan(order),
         expect: (expected) => folder.expect(expected),
         showPart: (part, grid) => folder.showPart(describeVolume(part, manifest), grid),

@@ -1,12 +1,12 @@
 import { chooseScan } from '../base/choose-scan.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import type { ScanBytes, ScanData, SeriesInfo } from '../base/scan-data.ts';
+import type { ScanBytes, ScanNumbers, SeriesInfo } from '../base/scan-data.ts';
 import { readScan } from './read-scan.ts';
 import { suggestForAll } from './suggest-for-all.ts';
 
 /** A file of several volumes, as its reader describes it. */
-export interface Series extends Pick<ScanData, 'type' | 'littleEndian'> {
+export interface Series extends Pick<ScanNumbers, 'type' | 'littleEndian'> {
   readonly info: SeriesInfo;
   /** Where each volume lies. */
   readonly volumes: readonly ScanBytes[];
@@ -27,7 +27,7 @@ export async function openSeries(
   { scan: wanted = { index: 0 } }: Pick<DecodeSettings, 'scan'>,
   context: ReadContext,
 ): Promise<DecodedCartesianVolume> {
-  const describe = (series: SeriesInfo): ScanData[] =>
+  const describe = (series: SeriesInfo): ScanNumbers[] =>
     volumes.map((from, i) => ({
       from,
       type,

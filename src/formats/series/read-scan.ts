@@ -1,8 +1,7 @@
 import { corruptFile } from '../base/file-problem.ts';
-import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import { placeVolume } from '../base/place-volume.ts';
-import type { ScanData } from '../base/scan-data.ts';
+import type { ScanNumbers } from '../base/scan-data.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { scanTypes } from './scan-types.ts';
 
@@ -13,7 +12,7 @@ export type ScanAccess = Pick<ReadContext, 'fetchFile' | 'budget'> & Partial<Pic
  * Reads one volume of a file that holds several, without its place in a page (see `placeVolume`).
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what fetching throws
  */
-export async function readScan(scan: ScanData, access: ScanAccess): Promise<DecodedCartesianVolume> {
+export async function readScan(scan: ScanNumbers, access: ScanAccess): Promise<DecodedCartesianVolume> {
   return storeScan(await readPart(scan, 0, countBytes(scan), access), scan, access);
 }
 
@@ -23,7 +22,7 @@ export async function readScan(scan: ScanData, access: ScanAccess): Promise<Deco
  */
 export async function storeScan(
   bytes: Uint8Array<ArrayBuffer>,
-  scan: Omit<ScanData, 'from'>,
+  scan: Omit<ScanNumbers, 'from'>,
   access: ScanAccess,
 ): Promise<DecodedCartesianVolume> {
   const { littleEndian, format, series, slope, intercept } = scan;
@@ -47,22 +46,13 @@ export async function storeScan(
   };
 }
 
-/** The same, at its place in a page. */
-export async function readPlacedScan(
-  scan: ScanData,
-  settings: DecodeSettings,
-  access: ScanAccess,
-): Promise<DecodedCartesianVolume> {
-  return placeVolume(await readScan(scan, access), settings);
-}
-
-export function countBytes({ from }: Pick<ScanData, 'from'>): number {
+export function countBytes({ from }: Pick<ScanNumbers, 'from'>): number {
   return from instanceof Blob ? from.size : from.end - from.start;
 }
 
 /** Bytes of a scan from `start` up to `end`, in a buffer of their own. */
 export async function readPart(
-  { from, format }: Pick<ScanData, 'from' | 'format'>,
+  { from, format }: Pick<ScanNumbers, 'from' | 'format'>,
   start: number,
   end: number,
   { fetchFile, budget }: ScanAccess,

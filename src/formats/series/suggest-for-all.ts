@@ -1,5 +1,5 @@
 import { summarize } from '../../volume/histogram.ts';
-import type { ScanData, SeriesInfo } from '../base/scan-data.ts';
+import type { ScanNumbers, SeriesInfo } from '../base/scan-data.ts';
 import { storeSamples } from '../base/store-samples.ts';
 import { suggestAppearance } from '../appearance/suggest-appearance.ts';
 import { countBytes, readPart } from './read-scan.ts';
@@ -16,9 +16,13 @@ const [parts, partBytes] = [4, 2 ** 18];
  * One window and one set of colours for all scans, from some values of some of them: which scan is shown first does not matter.
  * What the file itself says stays.
  */
-export async function suggestForAll(scans: readonly ScanData[], access: ScanAccess): Promise<SeriesInfo> {
+export async function suggestForAll(scans: readonly ScanNumbers[], access: ScanAccess): Promise<SeriesInfo> {
   const [{ series }] = scans;
-  const values = await sampleValues(scans, access);
+  return suggestByValues(series, await sampleValues(scans, access));
+}
+
+/** The same. @param values - some of the values of some scans */
+export async function suggestByValues(series: SeriesInfo, values: Float32Array<ArrayBuffer>): Promise<SeriesInfo> {
   const { histogram } = summarize(values, 1, 0);
   const { isDiscrete, window, transferFunction } = await suggestAppearance(
     { ...series, samples: values, slope: 1, intercept: 0 },
@@ -28,11 +32,15 @@ export async function suggestForAll(scans: readonly ScanData[], access: ScanAcce
   return { ...series, window, transferFunction, intent: undefined };
 }
 
-/** Values of the first, the last and some other scans. */
-async function sampleValues(scans: readonly ScanData[], access: ScanAccess): Promise<Float32Array<ArrayBuffer>> {
-  const last = scans.length - 1;
-  const chosen = new Set(Array.from({ length: lookedAt }, (_, i) => Math.round((i * last) / (lookedAt - 1))));
-  const reads = [...chosen].flatMap((i) => listParts(scans[i]).map((start) => ({ scan: scans[i], start })));
+/** The numbers of the first, the last and some other scans. */
+export function chooseLookedAt(count: number): number[] {
+  return [...new Set(Array.from({ length: lookedAt }, (_, i) => Math.round((i * (count - 1)) / (lookedAt - 1))))];
+}
+
+async function sampleValues(scans: readonly ScanNumbers[], access: ScanAccess): Promise<Float32Array<ArrayBuffer>> {
+  const reads = chooseLookedAt(scans.length).flatMap((i) =>
+    listParts(scans[i]).map((start) => ({ scan: scans[i], start })),
+  );
   const all: Float32Array[] = [];
   for (const { scan, start } of reads) {
     const end = Math.min(start + sizeOfPart(scan), countBytes(scan));
@@ -45,6 +53,11 @@ async function sampleValues(scans: readonly ScanData[], access: ScanAccess): Pro
     all.push(Float32Array.from(samples, (sample) => slope * (scale * sample + offset) + intercept));
     access.budget.giveBack(end - start);
   }
+  return joinValues(all);
+}
+
+/** One after another. */
+export function joinValues(all: readonly Float32Array[]): Float32Array<ArrayBuffer> {
   const values = new Float32Array(all.reduce((sum, { length }) => sum + length, 0));
   let at = 0;
   for (const one of all) {
@@ -54,10 +67,10 @@ async function sampleValues(scans: readonly ScanData[], access: ScanAccess): Pro
   return values;
 }
 
-const sizeOfPart = (scan: ScanData): number => (countBytes(scan) > parts * partBytes ? partBytes : countBytes(scan));
+const sizeOfPart = (scan: ScanNumbers): number => (countBytes(scan) > parts * partBytes ? partBytes : countBytes(scan));
 
 /** Where the parts of a scan begin that are read: the whole of a small one. */
-function listParts(scan: ScanData): number[] {
+function listParts(scan: ScanNumbers): number[] {
   const bytes = countBytes(scan);
   if (sizeOfPart(scan) === bytes) return [0];
   const { bytesPerSample } = scanTypes.get(scan.type)!;

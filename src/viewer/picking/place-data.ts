@@ -1,5 +1,5 @@
 // One voxel of all volumes of a file: where its numbers lie, and what values they stand for.
-import type { PlaceData, ScanBytes, ScanData } from '../../formats/base/scan-data.ts';
+import type { PlaceData, ScanBytes, ScanNumbers } from '../../formats/base/scan-data.ts';
 import { scanTypes } from '../../formats/series/scan-types.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import { scaleAndTranslate } from '../../volume/matrix.ts';
@@ -11,7 +11,7 @@ import { valueAt } from './pick-voxel.ts';
  * Where the numbers of one voxel lie. They are read as a volume of as many voxels as there are times, so that each value is made as those
  * of the picture.
  */
-export function placeDataOf(data: readonly ScanData[], voxel: Vector3): PlaceData {
+export function placeDataOf(data: readonly ScanNumbers[], voxel: Vector3): PlaceData {
   const [{ type, series, littleEndian, slope, intercept }] = data;
   const [nx, ny] = series.grid.dimensions;
   const { bytesPerSample } = scanTypes.get(type)!;
@@ -33,13 +33,13 @@ export function placeDataOf(data: readonly ScanData[], voxel: Vector3): PlaceDat
 }
 
 /** The values at all times. @param read - what was read by `placeDataOf` */
-export function valuesOfPlace(read: Volume, data: readonly ScanData[]): number[] {
+export function valuesOfPlace(read: Volume, data: readonly ScanNumbers[]): number[] {
   const isAlike = isScaledAlike(data);
   return data.map(({ slope, intercept }, i) => (isAlike ? valueAt(read, i) : slope * valueAt(read, i) + intercept));
 }
 
 /** Files may scale each volume by itself: then the numbers are read as they are. */
-const isScaledAlike = ([first, ...others]: readonly ScanData[]): boolean =>
+const isScaledAlike = ([first, ...others]: readonly ScanNumbers[]): boolean =>
   others.every(({ slope, intercept }) => slope === first.slope && intercept === first.intercept);
 
 function cut(from: ScanBytes, start: number, end: number): ScanBytes {

@@ -1,5 +1,6 @@
 // The values of one place in all scans of a view: loaded when somebody asks for them.
-import type { ScanData } from '../../formats/base/scan-data.ts';
+import { hasNumbers } from '../../formats/base/scan-data.ts';
+import type { ScanData, ScanNumbers } from '../../formats/base/scan-data.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { ScansOfView } from '../model/scans-of-view.ts';
 import type { SocketView } from '../model/view-socket.ts';
@@ -30,7 +31,7 @@ interface Reading {
 export const hasValues = ({ voxel, radar }: TimedPlace): boolean => voxel !== null || radar !== null;
 
 /**
- * Reads the values of a place in all scans. Of a file of several volumes only the numbers of that voxel are read. Else scans are opened
+ * Reads the values of a place in all scans. Of a file of several volumes, whose numbers lie one after another, only those of that voxel are read. Else scans are opened
  * one after another, and are not kept: those that are in memory come first.
  * @throws {VolumeViewError} where nothing can be read; the signal's reason
  */
@@ -42,10 +43,11 @@ export async function readOverTime(view: SocketView | null, place: TimedPlace, r
   reading.onValues({ values: data.map(() => undefined), done: 0, failed: 0 });
   // A cleaned volume, and one that was made smaller for the device, has other values than its file.
   const isAsInFile = !volume.reduced && (view.settings.source?.clean ?? null) === null;
-  if (place.voxel && isAsInFile && data.every((one) => one !== undefined))
-    await readVoxel(scans, data, place.voxel, reading);
+  if (place.voxel && isAsInFile && data.every(isOfNumbers)) await readVoxel(scans, data, place.voxel, reading);
   else await readScans(scans, place.world, reading);
 }
+
+const isOfNumbers = (data: ScanData | undefined): data is ScanNumbers => data !== undefined && hasNumbers(data);
 
 /** So many volumes are asked for at a time: their numbers are read as a volume of as many voxels, which each device can hold. */
 const together = 256;
@@ -53,7 +55,7 @@ const together = 256;
 /** Reads one voxel of all volumes of a file, in the worker. */
 async function readVoxel(
   scans: ScansOfView,
-  data: readonly ScanData[],
+  data: readonly ScanNumbers[],
   voxel: Vector3,
   { signal, onValues }: Reading,
 ): Promise<void> {

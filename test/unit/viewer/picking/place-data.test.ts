@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { gzipSync } from 'fflate';
 import { Budget } from '../../../../src/formats/base/budget.ts';
-import type { ScanData } from '../../../../src/formats/base/scan-data.ts';
+import type { ScanData, ScanNumbers } from '../../../../src/formats/base/scan-data.ts';
 import { finishVolume } from '../../../../src/formats/finish-volume.ts';
 import { readPlaceOverTime } from '../../../../src/formats/series/read-place-over-time.ts';
 import { placeDataOf, valuesOfPlace } from '../../../../src/viewer/picking/place-data.ts';
@@ -59,10 +59,11 @@ function serveRanges(file: Uint8Array<ArrayBuffer>) {
 
 /** The values of a voxel, as the worker and the page read them. */
 async function courseOf(
-  data: readonly ScanData[],
+  scans: readonly ScanData[],
   voxel: Vector3,
   fetchParts = fixtureContext().fetchFile,
 ): Promise<number[]> {
+  const data = scans as readonly ScanNumbers[];
   const place = structuredClone(placeDataOf(data, voxel)); // As a message brings it to the worker.
   const read = await readPlaceOverTime(place, { fetchFile: fetchParts, budget: new Budget() });
   return valuesOfPlace(await finishVolume(read, roomyLimits), data);

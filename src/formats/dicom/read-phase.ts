@@ -1,0 +1,62 @@
+// One of several times, of its own files. Loaded when it is shown.
+import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import { corruptFile } from '../base/file-problem.ts';
+import { readAhead } from '../base/read-ahead.ts';
+import { hasFiles } from '../base/scan-data.ts';
+import type { ScanData, ScanFiles } from '../base/scan-data.ts';
+import type { ScanAccess } from '../series/read-scan.ts';
+import type { Frame } from './frame.ts';
+import { joinFrames } from './join-frames.ts';
+import { listFrames } from './list-frames.ts';
+import { readPicture } from './picture.ts';
+import { readDicomFile } from './read-file.ts';
+
+/**
+ * Decodes one time of a series.
+ * @throws {VolumeViewError} `format/corrupt` where a file is not the one that was opened, and what fetching throws; messages
+ * have the number of a file, and no name
+ */
+export async function readPhase(
+  { from, format, series }: ScanData,
+  access: ScanAccess,
+): Promise<DecodedCartesianVolume> {
+  if (!hasFiles(from)) throw new TypeError(`${format} has no files`);
+  const { onProgress = () => undefined } = access;
+  const pictures: Frame[][] = [];
+  const total = from.files.length;
+  const read = (file: ScanFiles['files'][number], i: number): Promise<Frame[]> =>
+    readFile(file, `file ${i + 1} of ${total} of this time`, access);
+  for await (const one of readAhead(from.files, read)) {
+    if (one.status === 'rejected') throw one.reason;
+    pictures.push(one.value);
+    onProgress(pictures.length, 2 * total);
+  }
+  const frames = from.slices.map(([file, picture]) => pictures[file][picture]);
+  if (frames.includes(undefined as never)) throw changed(`the files of ${format}`);
+  const context = {
+    budget: access.budget,
+    onProgress: (done: number, all: number) => onProgress(all + done, 2 * all),
+  };
+  return joinFrames({ frames, left: [] }, {}, context, { ...series, format });
+}
+
+async function readFile(file: Blob | string, what: string, { budget, fetchFile }: ScanAccess): Promise<Frame[]> {
+  const bytes =
+    typeof file === 'string'
+      ? (await fetchFile(file)).bytes
+      : new Uint8Array(
+          await file.arrayBuffer().catch((): never => {
+            throw changed(what);
+          }),
+        );
+  budget.addFile(bytes.length);
+  const picture = readPicture(readDicomFile(bytes, budget, what), what);
+  if (!picture) throw changed(what);
+  return listFrames(picture);
+}
+
+const changed = (what: string): Error =>
+  corruptFile(
+    what,
+    'can not be read any longer: moved, changed or removed since it was opened. Choose the files again',
+  );
