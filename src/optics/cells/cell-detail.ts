@@ -74,10 +74,12 @@ export function measureMissable(
   const emission = rangeEmission(transferFunction);
   const length = thingLength * finestSpacing(grid) * opticalScale;
   return (cell, samplesAVoxel, isQuick = false) => {
-    const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
+    const a = slope * low[cell] + intercept;
+    const b = slope * high[cell] + intercept;
     const range = Math.abs(b - a);
     const apart = isQuick ? range : Math.min(range, (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
-    const [min, max] = [Math.min(a, b), Math.max(a, b)];
+    const min = Math.min(a, b);
+    const max = Math.max(a, b);
     // Between two samples, a ray may pass through a surface, or through a visible gradient, that neither sample hits. No steps are added
     // for this, but the error reports it.
     const isBent = kind === 'among' && apart > 0;

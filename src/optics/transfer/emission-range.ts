@@ -26,6 +26,17 @@ export interface EmissionRange {
 /** Extremes over powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins that start there. */
 type Extremes = readonly Float32Array[];
 
+/** Of the emission of one channel in each bin, and of how much it rises there. */
+interface Channel {
+  readonly min: Extremes;
+  readonly max: Extremes;
+  readonly lowest: Extremes;
+  readonly highest: Extremes;
+}
+
+/** Of each transfer function that was prepared for its emission. */
+const prepared = new WeakMap<TransferFunction, EmissionRange>();
+
 /**
  * Prepares a transfer function.
  * @param transferFunction - already brightened
@@ -34,6 +45,17 @@ type Extremes = readonly Float32Array[];
 export function rangeEmission(
   transferFunction: TransferFunction,
   emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf,
+): EmissionRange {
+  if (emission !== emissionOf) return prepareRange(transferFunction, emission);
+  const range = prepared.get(transferFunction) ?? prepareRange(transferFunction, emission);
+  prepared.set(transferFunction, range);
+  return range;
+}
+
+/** Pages need this once for each look, before the browser has optimised it: loops, and no lists that are made for one window. */
+function prepareRange(
+  transferFunction: TransferFunction,
+  emission: (transferFunction: TransferFunction, value: number) => Premultiplied,
 ): EmissionRange {
   const [low, high] = domainOf(transferFunction);
   // A bin's width may be too small for a float, so divide first.
@@ -46,7 +68,7 @@ export function rangeEmission(
     here: emission(transferFunction, value),
     left: n > 0 && transferFunction[n - 1].value < value ? emission([transferFunction[n]], value) : null,
   }));
-  const channels = [0, 1, 2, 3].map((c) => {
+  const channels = [0, 1, 2, 3].map((c): Channel => {
     const [min, max] = [new Float32Array(bins), new Float32Array(bins)];
     for (let i = 0; i < bins; i++) {
       min[i] = Math.min(edges[i][c], edges[i + 1][c]);
@@ -73,52 +95,68 @@ export function rangeEmission(
     };
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
-  type Channel = (typeof channels)[number];
-  const difference = ({ min, max }: Channel, first: number, last: number): number =>
-    extremeOf(max, first, last, Math.max) - extremeOf(min, first, last, Math.min);
-  const bend = ({ lowest, highest }: Channel, first: number, last: number): number =>
-    extremeOf(highest, first, last, Math.max) - extremeOf(lowest, first, last, Math.min);
-  const differences = new Windows(1, (first, last) => [
-    Math.max(...channels.map((channel) => difference(channel, first, last))),
-  ]);
-  const differencesAndBends = new Windows(2 * channels.length, (first, last) =>
-    channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]),
-  );
+  const differences = new Windows(1, (first, last, known, at) => {
+    let largest = -Infinity;
+    for (const { min, max } of channels) largest = Math.max(largest, differenceOf(max, min, first, last));
+    known[at] = largest;
+  });
+  const differencesAndBends = new Windows(2 * channels.length, (first, last, known, at) => {
+    let n = at;
+    for (const { min, max, lowest, highest } of channels) {
+      known[n++] = differenceOf(max, min, first, last);
+      known[n++] = differenceOf(highest, lowest, first, last);
+    }
+  });
   /**
    * The largest measure of windows. Together, the windows hold every pair of values that are near enough to each other.
-   * @param parts - number of windows that begin per reach; each is wider than the reach by the distance between their starts
-   * @param measure - of the known numbers, the index of a window's first number, and the number of bins in the window
+   * @param apart - in bins
    */
-  const largestOf = (
-    [from, to, apart]: readonly [number, number, number],
-    parts: number,
-    windows: Windows,
-    measure: (known: Float64Array, at: number, count: number) => number,
-  ): number => {
-    const [first, last] = [binOf(from), binOf(to)];
-    const reach = Math.min(last - first, Math.ceil(inBins(apart)) + 1);
+  const largestOf = ({ parts, windows, measure }: Search, from: number, to: number, apart: number): number => {
+    const first = binOf(from);
+    const last = binOf(to);
+    const reach = Math.min(last - first, Math.ceil(apart) + 1);
     const step = Math.floor(reach / parts);
     let largest = 0;
     for (let i = first; ; i += Math.max(1, step)) {
       const end = Math.min(last, i + reach + step);
       const known = windows.with(i, end);
-      largest = Math.max(largest, measure(known, i * windows.numbers, end - i + 1));
+      largest = Math.max(largest, measure(known, i * windows.numbers, end - i + 1, apart));
       if (end === last) return largest;
     }
   };
+  const among: Search = { parts: 8, windows: differences, measure: firstNumber };
+  const offLine: Search = { parts: 2, windows: differencesAndBends, measure: offChord };
   return {
-    largest: (from, to) => Math.max(...channels.map(({ max }) => extremeOf(max, binOf(from), binOf(to), Math.max))),
-    among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
-    // A function whose slope lies between two slopes is off its chord by at most a quarter of their difference, times the width.
-    offLine: (...where) =>
-      largestOf(where, 2, differencesAndBends, (known, at, count) => {
-        const times = Math.max(minWidth, Math.min(count, inBins(where[2]))) / 4;
-        let largest = 0;
-        for (let n = at; n < at + 2 * channels.length; n += 2)
-          largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
-        return largest;
-      }),
+    largest(from, to) {
+      const [first, last] = [binOf(from), binOf(to)];
+      let largest = -Infinity;
+      for (const { max } of channels) largest = Math.max(largest, largestIn(max, first, last));
+      return largest;
+    },
+    among: (from, to, apart) => largestOf(among, from, to, inBins(apart)),
+    offLine: (from, to, apart) => largestOf(offLine, from, to, inBins(apart)),
   };
+}
+
+/** What is looked for in windows of bins. */
+interface Search {
+  /** The number of windows that begin per reach; each is wider than the reach by the distance between their starts. */
+  readonly parts: number;
+  readonly windows: Windows;
+  /** Of the known numbers, the index of a window's first number, the number of bins in the window, and `apart` in bins. */
+  readonly measure: (known: Float64Array, at: number, count: number, apart: number) => number;
+}
+
+function firstNumber(known: Float64Array, at: number): number {
+  return known[at];
+}
+
+/** A function whose slope lies between two slopes is off its chord by at most a quarter of their difference, times the width. */
+function offChord(known: Float64Array, at: number, count: number, apart: number): number {
+  const times = Math.max(minWidth, Math.min(count, apart)) / 4;
+  let largest = 0;
+  for (let n = at; n < at + 8; n += 2) largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
+  return largest;
 }
 
 /** Measures of windows of bins. Thousands of cells ask for the same windows, so each is measured once. */
@@ -126,16 +164,20 @@ class Windows {
   /** By the number of bins. Each window has its numbers; NaN if it has not been measured. */
   readonly #known: Float64Array[] = [];
 
-  /** @param numbers - how many numbers a window has */
+  /**
+   * @param numbers - how many numbers a window has
+   * @param measure - writes them from a place on
+   */
   constructor(
     readonly numbers: number,
-    readonly measure: (first: number, last: number) => readonly number[],
+    readonly measure: (first: number, last: number, known: Float64Array, at: number) => void,
   ) {}
 
   /** All windows with this number of bins; the one from `first` to `last` has been measured. */
   with(first: number, last: number): Float64Array {
     const known = (this.#known[last - first] ??= new Float64Array(bins * this.numbers).fill(NaN));
-    if (Number.isNaN(known[first * this.numbers])) known.set(this.measure(first, last), first * this.numbers);
+    const at = first * this.numbers;
+    if (Number.isNaN(known[at])) this.measure(first, last, known, at);
     return known;
   }
 }
@@ -149,12 +191,26 @@ function buildExtremes(values: Float32Array, of: (a: number, b: number) => numbe
   const rows = [values];
   for (let length = 2; length <= bins; length *= 2) {
     const last = rows[rows.length - 1];
-    rows.push(Float32Array.from({ length: bins - length + 1 }, (_, i) => of(last[i], last[i + length / 2])));
+    const row = new Float32Array(bins - length + 1);
+    for (let i = 0; i < row.length; i++) row[i] = of(last[i], last[i + length / 2]);
+    rows.push(row);
   }
   return rows;
 }
 
-function extremeOf(rows: Extremes, first: number, last: number, of: (a: number, b: number) => number): number {
-  const row = Math.floor(Math.log2(last - first + 1));
-  return of(rows[row][first], rows[row][last - 2 ** row + 1]);
+/** Of which row two stretches cover the bins from the first to the last. */
+function rowOf(first: number, last: number): number {
+  return 31 - Math.clz32(last - first + 1);
+}
+
+function largestIn(rows: Extremes, first: number, last: number): number {
+  const row = rowOf(first, last);
+  return Math.max(rows[row][first], rows[row][last - 2 ** row + 1]);
+}
+
+/** The largest value of the bins minus the smallest one. */
+function differenceOf(largest: Extremes, smallest: Extremes, first: number, last: number): number {
+  const row = rowOf(first, last);
+  const second = last - 2 ** row + 1;
+  return Math.max(largest[row][first], largest[row][second]) - Math.min(smallest[row][first], smallest[row][second]);
 }

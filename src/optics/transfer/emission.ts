@@ -1,5 +1,5 @@
 import { extinction } from './opacity.ts';
-import { evaluate, evaluateBetween } from './transfer-function.ts';
+import { evaluate, mix } from './transfer-function.ts';
 import type { Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
 /**
@@ -25,7 +25,7 @@ export function emission(transferFunction: TransferFunction, value: number): Pre
 function emissionOf(seen: Premultiplied): Premultiplied {
   const alpha = seen[3];
   if (!(alpha > 0)) return [0, 0, 0, 0];
-  const density = Math.min(opaqueExtinction, extinction(Math.min(alpha, 1)));
+  const density = densityOf(alpha);
   const scale = density / alpha;
   return [seen[0] * scale, seen[1] * scale, seen[2] * scale, density];
 }
@@ -58,7 +58,9 @@ const weights = [
  * The span is divided at the stops; between them the emission is smooth.
  */
 export function meanOverSpan(transferFunction: TransferFunction, from: number, to: number): Premultiplied {
-  const [low, high] = from < to ? [from, to] : [to, from];
+  const isUpwards = from < to;
+  const low = isUpwards ? from : to;
+  const high = isUpwards ? to : from;
   if (!(high > low)) return emission(transferFunction, low);
   const mean: Premultiplied = [0, 0, 0, 0];
   let start = low;
@@ -67,7 +69,8 @@ export function meanOverSpan(transferFunction: TransferFunction, from: number, t
     const end = isLast ? high : Math.min(high, transferFunction[next].value);
     const share = (end - start) / (high - low);
     if (end > start && (next === 0 || isLast)) addWeighted(mean, emission(transferFunction, start), share);
-    else if (end > start) addPiece(mean, [transferFunction[next - 1], transferFunction[next]], { start, end, share });
+    else if (end > start)
+      addPiece(mean, { from: transferFunction[next - 1], to: transferFunction[next], start, end, share });
     start = end;
   }
   return mean;
@@ -79,26 +82,44 @@ const smoothDifference = 1;
 /** The largest number of bisections towards opacity 1, where extinction has a logarithmic pole: at most 3e-5 of the mean is lost there. */
 const maxHalvings = 10;
 
-function addPiece(
-  mean: Premultiplied,
-  ends: readonly [Stop, Stop],
-  piece: { readonly start: number; readonly end: number; readonly share: number },
-  halvings = 0,
-): void {
-  const { start, end, share } = piece;
-  const emissionAt = (node: number): Premultiplied =>
-    emissionOf(evaluateBetween(ends[0], ends[1], start + node * (end - start)));
-  const first = emissionAt(nodes[0]);
-  const last = emissionAt(nodes[4]);
-  if (Math.abs(last[3] - first[3]) > smoothDifference && halvings < maxHalvings) {
+/** A part of a span between two stops: where it begins and ends, and its share of the mean. */
+interface Piece {
+  readonly from: Stop;
+  readonly to: Stop;
+  readonly start: number;
+  readonly end: number;
+  readonly share: number;
+}
+
+/** Most pages integrate one transfer function, before the browser has optimised this code: so it makes no lists, and few calls. */
+function addPiece(mean: Premultiplied, piece: Piece, halvings = 0): void {
+  const { from, to, start, end, share } = piece;
+  const length = end - start;
+  const width = to.value - from.value;
+  const difference =
+    densityOf(mix(from.opacity, to.opacity, (start + nodes[4] * length - from.value) / width)) -
+    densityOf(mix(from.opacity, to.opacity, (start + nodes[0] * length - from.value) / width));
+  if (Math.abs(difference) > smoothDifference && halvings < maxHalvings) {
     const middle = (start + end) / 2;
-    addPiece(mean, ends, { start, end: middle, share: share / 2 }, halvings + 1);
-    addPiece(mean, ends, { start: middle, end, share: share / 2 }, halvings + 1);
+    addPiece(mean, { ...piece, end: middle, share: share / 2 }, halvings + 1);
+    addPiece(mean, { ...piece, start: middle, share: share / 2 }, halvings + 1);
     return;
   }
-  addWeighted(mean, first, share * weights[0]);
-  for (let i = 1; i < 4; i++) addWeighted(mean, emissionAt(nodes[i]), share * weights[i]);
-  addWeighted(mean, last, share * weights[4]);
+  for (let i = 0; i < nodes.length; i++) {
+    const t = (start + nodes[i] * length - from.value) / width;
+    const alpha = mix(from.opacity, to.opacity, t);
+    if (!(alpha > 0)) continue;
+    const weight = share * weights[i];
+    const density = densityOf(alpha);
+    const scale = density / alpha;
+    for (let c = 0; c < 3; c++)
+      mean[c] += weight * (mix(from.color[c] * from.opacity, to.color[c] * to.opacity, t) * scale);
+    mean[3] += weight * density;
+  }
+}
+
+function densityOf(alpha: number): number {
+  return alpha > 0 ? Math.min(opaqueExtinction, extinction(Math.min(alpha, 1))) : 0;
 }
 
 function addWeighted(sum: Premultiplied, summand: Premultiplied, weight: number): void {

@@ -52,9 +52,10 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
 }
 
 /** The same for a value between two stops that follow each other. */
-export function evaluateBetween(from: Stop, to: Stop, value: number): Premultiplied {
+function evaluateBetween(from: Stop, to: Stop, value: number): Premultiplied {
   const t = (value - from.value) / (to.value - from.value);
-  const [a, b] = [from.opacity, to.opacity];
+  const a = from.opacity;
+  const b = to.opacity;
   return [
     mix(from.color[0] * a, to.color[0] * b, t),
     mix(from.color[1] * a, to.color[1] * b, t),
@@ -72,6 +73,6 @@ function premultiply({ color, opacity }: Stop): Premultiplied {
   return [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
 }
 
-function mix(a: number, b: number, t: number): number {
+export function mix(a: number, b: number, t: number): number {
   return a + (b - a) * t;
 }
