@@ -47,7 +47,7 @@ async function serveFixtures(context, next) {
 const folder = 'test/browser';
 
 const stray = readdirSync(join(projectRoot, 'test'), { recursive: true, encoding: 'utf8' }).filter(
-  (name) => name.endsWith('.test.ts') && !/^(unit|browser)[\\/]/.test(name),
+  (name) => name.endsWith('.test.ts') && !/^(unit|browser)[\\/]|node_modules/.test(name),
 );
 if (stray.length > 0) throw new Error(`no runner runs ${stray.join(', ')}: put them into test/unit or test/browser`);
 
