@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
+import { shortenGlsl } from './shorten-glsl.mjs';
 import { escapeToAscii, stripCss, stripGlsl } from './strip-sources.mjs';
 
 /** Shaders and style sheets without what only their readers need, and scripts in ASCII. */
@@ -11,7 +12,7 @@ export const stripTexts = /** @type {import('vite').Plugin} */ ({
   enforce: 'pre',
   load: (id) =>
     id.endsWith('.glsl?raw')
-      ? `export default ${JSON.stringify(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8')))};`
+      ? `export default ${JSON.stringify(shortenGlsl(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8'))))};`
       : null,
   transform: (code, id) => (id.endsWith('-styles.ts') ? { code: stripCss(code), map: null } : null),
   generateBundle(_, files) {
