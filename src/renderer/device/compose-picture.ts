@@ -1,16 +1,13 @@
-import betweenPixels from '../../../shaders/chunks/depth/between-pixels.glsl?raw';
-import betweenPixelsStage from '../../../shaders/programs/between-pixels.frag.glsl?raw';
 import gathered from '../../../shaders/programs/gathered.frag.glsl?raw';
 import wholePicture from '../../../shaders/programs/whole-picture.vert.glsl?raw';
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 
-/** Programs for pictures of any volume: `between` interpolates pixels, `gathered` shows a picture that has been drawn before. */
-export type PictureProgram = 'between' | 'gathered';
+/** The chunks that show a picture that has been drawn before. */
+export const gatheredPicture: readonly string[] = [gathered];
 
-/** The shader texts that draw a picture from another one. */
-export function composePictureShader(program: PictureProgram, webgl2: boolean): ShaderTexts {
-  const chunks = { between: [betweenPixels, betweenPixelsStage], gathered: [gathered] }[program];
+/** The shader texts that draw a picture from another one. @param chunks - of the fragment shader */
+export function composePictureShader(chunks: readonly string[], webgl2: boolean): ShaderTexts {
   return {
     vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
     fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE' }, chunks),

@@ -1,7 +1,6 @@
 import { raysOfLattice } from '../../optics/rays/rays.ts';
 import type { RaySetup } from '../../optics/rays/rays.ts';
-import { composePictureShader } from '../device/compose-picture.ts';
-import type { PictureProgram } from '../device/compose-picture.ts';
+import { composePictureShader, gatheredPicture } from '../device/compose-picture.ts';
 import { isWebGl2 } from '../device/device.ts';
 import type { Gl } from '../device/device.ts';
 import type { DrawTarget } from '../device/draw-target.ts';
@@ -21,8 +20,8 @@ export interface Size {
 export interface Pass extends SurfaceLattice {
   /** The target that the pass draws into. */
   readonly target: DrawTarget;
-  /** The picture of the lattice before; null for the first pass, in which all pixels get rays. */
-  readonly half: DrawTarget | null;
+  /** What draws the pixels between those of the lattice before; null for the first pass, in which all pixels get rays. */
+  readonly half: HalfPicture | null;
   /** The depths that end the rays of this pass, if they differ from those of the other passes. */
   readonly depths?: ShapeDepths;
   /** Present if this pass draws over the picture of another one, in some of its pixels. */
@@ -31,6 +30,25 @@ export interface Pass extends SurfaceLattice {
     readonly begin: () => void;
     readonly draw: (cast: EdgeCast) => void;
   };
+}
+
+/** The picture of a lattice, from which the next one is drawn. */
+export interface HalfPicture {
+  /** Interpolate all pixels of some rows, then draw rays over the pixels with more curvature. */
+  draw(drawing: PassDrawing, caster: Caster, place: PassRows): void;
+}
+
+/** Rows of a pass, from the bottom. */
+export interface Rows {
+  readonly firstRow: number;
+  readonly rows: number;
+}
+
+/** Rows of a pass of a picture. */
+export interface PassRows extends Rows {
+  readonly pass: Pass;
+  /** Pixels of the whole picture. */
+  readonly picture: Size;
 }
 
 /** The program and the inputs with which a pass is drawn. */
@@ -48,20 +66,16 @@ export interface Caster {
 /** Corners of the picture, as triangles. */
 const corners = new Float32Array([-0.5, -0.5, 0, 0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0]);
 
-/** The largest number of quads in one draw call: the shader counts them in floats. */
-const maxQuads = 2 ** 18;
-
 /**
  * Draws the parts of a picture of the volume into targets, outside of x3dom's own drawing. Afterwards its programs and
  * textures are still bound; the caller has to let x3dom know.
  */
 export class PassDrawing {
-  readonly #programs = new Map<PictureProgram, WebGLProgram>();
+  #gathered: WebGLProgram | null = null;
   readonly #corners: WebGLBuffer;
-  #numbers: { readonly buffer: WebGLBuffer; readonly count: number } | null = null;
 
   constructor(readonly gl: Gl) {
-    this.#corners = this.#fill(corners);
+    this.#corners = fillBuffer(gl, corners);
   }
 
   /**
@@ -69,15 +83,10 @@ export class PassDrawing {
    * @param picture - pixels of the whole picture
    * @param part - rows from the bottom; all where absent
    */
-  draw(
-    pass: Pass,
-    caster: Caster,
-    picture: Size,
-    part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height },
-  ): void {
+  draw(pass: Pass, caster: Caster, picture: Size, part: Rows = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
     // Compile the program that shows the picture first: later, the page would wait until the GPU has drawn the rays.
-    this.#program('gathered');
+    this.#showing();
     if (part.firstRow === 0) pass.over?.begin();
     this.alone(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
@@ -85,8 +94,8 @@ export class PassDrawing {
       gl.enable(gl.SCISSOR_TEST);
       gl.scissor(0, part.firstRow, pass.width, part.rows);
       const rays = rayUniforms(raysOfLattice(caster.rays, picture, pass), pass, caster.stepLength);
-      const all = { ...caster, inputs: joined(caster.inputs, { ...rays, uQuadToDevice: quadToDevice(pass, picture) }) };
-      if (pass.half) this.#drawBetween(pass.half, all, pass, part);
+      const all = { ...caster, inputs: joined(caster.inputs, rays) };
+      if (pass.half) pass.half.draw(this, all, { ...part, pass, picture });
       else if (pass.over) pass.over.draw({ ...part, program: all.program, inputs: withoutQuads(gl, all.inputs) });
       else this.#drawAll(all);
     });
@@ -99,7 +108,7 @@ export class PassDrawing {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      this.drawCorners(this.#program('gathered'), {
+      this.drawCorners(this.#showing(), {
         uniforms: { uGatheredPixel: [1 / width, 1 / height] },
         units: picture.units,
       });
@@ -108,9 +117,8 @@ export class PassDrawing {
 
   dispose(): void {
     const { gl } = this;
-    for (const program of this.#programs.values()) gl.deleteProgram(program);
+    gl.deleteProgram(this.#gathered);
     gl.deleteBuffer(this.#corners);
-    gl.deleteBuffer(this.#numbers?.buffer ?? null);
   }
 
   /** Every pixel gets a ray. */
@@ -119,29 +127,6 @@ export class PassDrawing {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
     this.drawCorners(program, withoutQuads(gl, inputs));
-  }
-
-  /** Interpolate all pixels, then draw rays over the pixels with more curvature. */
-  #drawBetween(
-    half: DrawTarget,
-    { program, inputs, maxCurvature }: Caster,
-    { width, height }: Size,
-    { firstRow, rows }: { firstRow: number; rows: number },
-  ): void {
-    const { gl } = this;
-    const place = { uHalfPixel: [1 / half.width, 1 / half.height] };
-    this.drawCorners(this.#program('between'), { uniforms: place, units: half.units });
-    const [columns, all] = [Math.ceil(width / 2), Math.ceil(height / 2)];
-    gl.viewport(0, 0, 2 * columns, 2 * all);
-    const end = Math.ceil((firstRow + rows) / 2);
-    const max = Math.max(1, Math.floor(maxQuads / columns));
-    for (let row = Math.floor(firstRow / 2); row < end; row += max) {
-      const uniforms = { ...place, uQuads: [columns, all], uFirstQuadRow: row, uMaxCurvature: maxCurvature / 255 };
-      useProgram(gl, program, joinInputs(inputs, { uniforms, units: half.units }));
-      const count = columns * Math.min(max, end - row);
-      this.#readPositions(program, this.#numbered(count), 1);
-      gl.drawArrays(gl.POINTS, 0, count);
-    }
   }
 
   /** Do some work with blending, depth test, culling and scissor off; then restore x3dom's settings of these. */
@@ -158,50 +143,34 @@ export class PassDrawing {
     }
   }
 
-  #program(name: PictureProgram): WebGLProgram {
-    let program = this.#programs.get(name);
-    if (!program)
-      this.#programs.set(name, (program = compileProgram(this.gl, composePictureShader(name, isWebGl2(this.gl)))));
-    return program;
+  #showing(): WebGLProgram {
+    const { gl } = this;
+    return (this.#gathered ??= compileProgram(gl, composePictureShader(gatheredPicture, isWebGl2(gl))));
   }
 
   /** Draw all pixels of the bound framebuffer. */
   drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
     useProgram(this.gl, program, inputs);
-    this.#readPositions(program, this.#corners, 3);
+    this.readPositions(program, this.#corners, 3);
     this.gl.drawArrays(this.gl.TRIANGLE_STRIP, 0, 4);
   }
 
-  #readPositions(program: WebGLProgram, buffer: WebGLBuffer, numbers: number): void {
+  /** @param numbers - of each position */
+  readPositions(program: WebGLProgram, buffer: WebGLBuffer, numbers: number): void {
     const { gl } = this;
     const attribute = gl.getAttribLocation(program, 'position');
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.enableVertexAttribArray(attribute);
     gl.vertexAttribPointer(attribute, numbers, gl.FLOAT, false, 0, 0);
   }
-
-  /** A buffer with the numbers 0, 1, 2 and so on. */
-  #numbered(count: number): WebGLBuffer {
-    if (!this.#numbers || this.#numbers.count < count) {
-      this.gl.deleteBuffer(this.#numbers?.buffer ?? null);
-      this.#numbers = { buffer: this.#fill(Float32Array.from({ length: count }, (_, i) => i)), count };
-    }
-    return this.#numbers.buffer;
-  }
-
-  #fill(numbers: Float32Array<ArrayBuffer>): WebGLBuffer {
-    const { gl } = this;
-    const buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
-    return buffer;
-  }
 }
 
-/** Maps a lattice's quads to the known pixels around them, in device coordinates of the picture, see rays.vert.glsl. */
-function quadToDevice({ stride, first }: Pass, { width, height }: Size): number[] {
-  const shift = (begin: number, pixels: number): number => (2 * (begin + stride) + 1) / pixels - 1;
-  return [(4 * stride) / width, (4 * stride) / height, shift(first[0], width), shift(first[1], height)];
+/** A buffer of positions. */
+export function fillBuffer(gl: Gl, numbers: Float32Array<ArrayBuffer>): WebGLBuffer {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
+  return buffer;
 }
 
 /** The inputs of a program that draws its box instead of quads. */

@@ -1,7 +1,8 @@
 import type { Gl } from '../device/device.ts';
 import type { CoarsePictures } from './adaptive-provider.ts';
 import { bytesAttachment, DrawTarget } from '../device/draw-target.ts';
-import type { Pass, Size } from '../passes/pass-drawing.ts';
+import { BetweenDrawing } from '../passes/between-drawing.ts';
+import type { HalfPicture, Pass, Size } from '../passes/pass-drawing.ts';
 
 /** Strides of the lattices that are drawn before the picture: every fourth pixel, then every second pixel. */
 const strides = [4, 2] as const;
@@ -14,8 +15,10 @@ function halve(pixels: number): number {
 /** The coarser pictures from which a picture with adaptive ray sampling is drawn. */
 export class AdaptivePicture implements CoarsePictures {
   readonly #targets: readonly DrawTarget[];
+  readonly #between: BetweenDrawing;
 
   constructor(gl: Gl) {
+    this.#between = new BetweenDrawing(gl);
     this.#targets = strides.map(() => new DrawTarget(gl, [bytesAttachment(gl, 'uHalfPicture')]));
   }
 
@@ -28,12 +31,17 @@ export class AdaptivePicture implements CoarsePictures {
     quarter.resize(quarterSize.width, quarterSize.height);
     return [
       { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null, isCoarse: true },
-      { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter, isCoarse: true },
-      { stride: 1, first: [0, 0], width, height, target, half },
+      { stride: 2, first: [0, 0], ...halfSize, target: half, half: this.#from(quarter), isCoarse: true },
+      { stride: 1, first: [0, 0], width, height, target, half: this.#from(half) },
     ];
   }
 
+  #from(half: DrawTarget): HalfPicture {
+    return { draw: (...drawn) => this.#between.draw(half, ...drawn) };
+  }
+
   dispose(): void {
+    this.#between.dispose();
     for (const target of this.#targets) target.dispose();
   }
 }

@@ -1,8 +1,9 @@
 import { expect } from '@esm-bundle/chai';
 import { polarTapsOf } from '../../../src/radar/gpu/polar-taps.ts';
-import { composePictureShader } from '../../../src/renderer/device/compose-picture.ts';
+import { composePictureShader, gatheredPicture } from '../../../src/renderer/device/compose-picture.ts';
 import type { ShaderTexts } from '../../../src/renderer/device/compose-stage.ts';
 import { compileProgram } from '../../../src/renderer/device/program.ts';
+import { interpolatedPicture } from '../../../src/renderer/passes/between-drawing.ts';
 import { composeRay, listSamplers, maxSamplers, programKey } from '../../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../../src/renderer/ray/compose-ray.ts';
 import { composeStudyShader } from '../../../src/renderer/study.ts';
@@ -107,8 +108,8 @@ for (const version of [1, 2] as const) {
     });
 
     it('of pictures from pictures compile', () => {
-      for (const program of ['between', 'gathered'] as const)
-        compileOne(test.gl, composePictureShader(program, webgl2), program);
+      for (const chunks of [interpolatedPicture, gatheredPicture])
+        compileOne(test.gl, composePictureShader(chunks, webgl2), 'a picture');
     });
 
     it('that the compiler does not take are refused with its words', () => {
