@@ -35,7 +35,7 @@ export async function writeClassic(dist, bundle) {
   const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8');
   const [entry] = chunks.filter(({ isEntry }) => isEntry);
   const text = `var VolumeView=function(){"use strict";
-const VERSION="${version}",PART_NEEDS=${JSON.stringify(listNeeds(chunks, entry.fileName))};
+const VERSION="${version}",PART_NEEDS=${listNeeds(chunks, entry.fileName)};
 ${loader}
 run(0,${writeFactory(entry)});
 return modules[0].VolumeView}();
@@ -56,20 +56,25 @@ function writeFactory({ code }) {
 }
 
 /**
- * The parts that each part needs at once when it is requested, directly or not, in addition to itself and the entry.
+ * Code of an array: the parts that each part imports, but those that others of them import. The entry is not among them.
  * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks
  * @param {string} entry - its name
  */
 function listNeeds(chunks, entry) {
   const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
-  /** @type {Record<string, number[]>} */
-  const needs = {};
-  for (const target of new Set(chunks.flatMap(({ dynamicImports }) => dynamicImports))) {
-    const all = new Set([target]);
-    for (const name of all)
-      for (const imported of byName.get(name)?.imports ?? []) if (imported !== entry) all.add(imported);
-    all.delete(target);
-    if (all.size > 0) needs[target] = [...all].map(Number);
+  const importsOf = (/** @type {string} */ name) => byName.get(name)?.imports.filter((one) => one !== entry) ?? [];
+  const needs = Array.from({ length: chunks.length }, () => '');
+  for (const { fileName } of chunks) {
+    if (fileName === entry) continue;
+    const own = new Set(importsOf(fileName));
+    for (const name of own) {
+      const others = new Set([...own].filter((one) => one !== name).flatMap(importsOf));
+      for (const one of others) importsOf(one).forEach((next) => others.add(next));
+      if (others.has(name)) own.delete(name);
+    }
+    const numbers = [...own].map(Number);
+    numbers.sort((a, b) => a - b);
+    if (numbers.length > 0) needs[Number(fileName)] = JSON.stringify(numbers);
   }
-  return needs;
+  return `[${needs.join()}]`;
 }

@@ -13,6 +13,13 @@ function run(part, factory) {
   factory(require, (modules[part] = {}));
 }
 
+/** A part and those that it needs, directly or not. */
+function listNeeds(part) {
+  const all = new Set([Number(part)]);
+  for (const one of all) for (const needed of PART_NEEDS[one] || []) all.add(needed);
+  return [...all];
+}
+
 /**
  * What a part's code calls with './NUMBER'. It returns the part, and runs it if it has not run yet; or a promise of it, where its script
  * or those that it needs have not been loaded. Only import('./NUMBER') can ask for such a part, and that returns a promise anyway.
@@ -20,7 +27,7 @@ function run(part, factory) {
 function require(name) {
   const part = name.slice(2);
   if (!modules[part]) {
-    const missing = [part].concat(PART_NEEDS[part] || []).filter((one) => !parts[keyOf(one)]);
+    const missing = listNeeds(part).filter((one) => !parts[keyOf(one)]);
     if (missing.length > 0) return Promise.all(missing.map(bring)).then(() => require(name));
     run(part, parts[keyOf(part)]);
   }

@@ -54,13 +54,14 @@ describe('parts of the classic script', () => {
     const { loader, asked, define } = withServer(
       {
         '1.js': () => define(1, (require, exports) => (exports.sum = (require('./2').two as number) + 1)),
-        '2.js': () => define(2, (_, exports) => (exports.two = 2)),
+        '2.js': () => define(2, (require, exports) => (exports.two = (require('./3').three as number) - 1)),
+        '3.js': () => define(3, (_, exports) => (exports.three = 3)),
       },
-      { 1: [2] },
+      { 1: [2], 2: [3] },
     );
     const [first, second] = await Promise.all([load(loader, 1), load(loader, 1)]);
     expect([first.sum, second, loader.require('./1')]).to.deep.equal([3, first, first]);
-    expect(asked).to.have.members(['https://example.test/dist/classic/1.js', 'https://example.test/dist/classic/2.js']);
+    expect(asked).to.have.members([1, 2, 3].map((part) => `https://example.test/dist/classic/${part}.js`));
   });
 
   it('are asked for again where they were missing', async () => {
