@@ -3,7 +3,7 @@ import { isSoundGrid } from '../volume/sound-grid.ts';
 import { Budget } from './base/budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './base/decoded-volume.ts';
 import type { FileAccess, FolderAccess, Format, ReadContext } from './base/format.ts';
-import { loadReader } from './base/load-reader.ts';
+import { loadIfReachable, loadReader } from './base/load-reader.ts';
 import type { ScansListener } from './base/load-request.ts';
 import { NeedsMainThread } from './base/needs-main-thread.ts';
 import { allFormats } from './registry.ts';
@@ -44,7 +44,7 @@ export async function decodeFile(
       !isSoundGrid(volume.grid) ||
       !Number.isFinite(volume.intercept / volume.slope + volume.slope)
     ) {
-      (await loadReader(() => import('./base/check-geometry.ts'))).checkGeometry(volume);
+      (await loadReader(() => import('#rare/formats/base/check-geometry.ts'))).checkGeometry(volume);
     }
     return volume;
   } catch (cause) {
@@ -100,6 +100,6 @@ async function decodeData(
 export async function explain(cause: unknown, url: string): Promise<unknown> {
   if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
   if (cause instanceof DOMException && cause.name === 'AbortError') return cause;
-  const words = await import('./explain-failure.ts').catch(() => null);
+  const words = await loadIfReachable(() => import('#rare/formats/explain-failure.ts'));
   return words ? words.explainFailure(cause, url) : cause;
 }

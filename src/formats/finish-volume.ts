@@ -54,7 +54,7 @@ export async function finishVolume(
 /** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
   if (!Number.isFinite(volume.range[1] - volume.range[0]))
-    (await loadReader(() => import('./base/check-geometry.ts'))).refuseRange(volume);
+    (await loadReader(() => import('#rare/formats/base/check-geometry.ts'))).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {

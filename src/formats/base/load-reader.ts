@@ -8,3 +8,15 @@ export async function loadReader<T>(load: () => Promise<T>): Promise<T> {
     throw new NeedsMainThread({ cause });
   }
 }
+
+/**
+ * Load what is used where something failed.
+ * @returns null if that can't be loaded: perhaps the network failed
+ * @throws {NeedsMainThread} in a worker that was built without it
+ */
+export function loadIfReachable<T>(load: () => Promise<T>): Promise<T | null> {
+  return load().catch((cause) => {
+    if (cause instanceof NeedsMainThread) throw cause;
+    return null;
+  });
+}

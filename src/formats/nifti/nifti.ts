@@ -115,7 +115,9 @@ async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
   const header =
     found?.version === 1
       ? readVersion1(bytes, found.littleEndian)
-      : await (await loadReader(() => import('./nifti-rare-headers.ts'))).readRareHeader(bytes, found);
+      : await (
+          await loadReader(() => import('#rare/formats/nifti/nifti-rare-headers.ts'))
+        ).readRareHeader(bytes, found);
   // The header is followed by four bytes that say whether extensions follow; some writers leave the offset 0.
   const minOffset = headerSizes[header.version] + 4;
   return { ...header, offset: header.offset >= minOffset ? Math.trunc(header.offset) : minOffset };
