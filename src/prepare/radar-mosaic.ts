@@ -1,7 +1,7 @@
 import { encode } from 'fast-png';
 import { VolumeViewError } from '../core/errors.ts';
 import { findFormat } from '../formats/sniff.ts';
-import { hdf5, netcdf3, nexrad, radarKinds } from '../formats/radar/radar-formats.ts';
+import { radarKinds } from '../formats/radar/more-radar-formats.ts';
 import { openRadar } from '../formats/radar/read-radar.ts';
 import { writePolarMosaic } from './write-polar-mosaic.ts';
 import type { WrittenMosaic } from './write-polar-mosaic.ts';
@@ -28,12 +28,12 @@ export async function makeRadarMosaic(
   name: string,
   moment?: string,
 ): Promise<RadarMosaicFiles> {
-  const format = await findFormat(bytes, [hdf5, netcdf3, nexrad]);
+  const format = await findFormat(bytes, [...radarKinds.keys()]);
   const kind = format && radarKinds.get(format);
   if (!kind) {
     throw new VolumeViewError(
       'format/unknown',
-      `${name} is no radar file; expected ODIM_H5, CfRadial or NEXRAD Level II`,
+      `${name} is no radar file; expected ODIM_H5, CfRadial, NEXRAD Level II or III, or Rainbow 5`,
     );
   }
   const radar = await openRadar(kind, bytes);

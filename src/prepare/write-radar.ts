@@ -3,7 +3,7 @@ import { readManifest } from '../formats/manifest/manifest.ts';
 import type { Manifest } from '../formats/manifest/manifest.ts';
 import { readPng } from '../formats/images/png.ts';
 import { readPolarMosaic } from '../formats/radar/polar-mosaic.ts';
-import { hdf5, netcdf3, nexrad, radarKinds } from '../formats/radar/radar-formats.ts';
+import { radarKinds } from '../formats/radar/more-radar-formats.ts';
 import type { RadarFile } from '../formats/radar/radar-file.ts';
 import { openRadar } from '../formats/radar/read-radar.ts';
 import { findFormat } from '../formats/sniff.ts';
@@ -38,7 +38,8 @@ export async function writeRadar(
 }
 
 async function readRadar(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile | null> {
-  const kind = radarKinds.get((await findFormat(bytes, [hdf5, netcdf3, nexrad])) ?? {});
+  const format = await findFormat(bytes, [...radarKinds.keys()]);
+  const kind = format && radarKinds.get(format);
   return kind ? openRadar(kind, bytes, Budget.ofFile(bytes.length)) : null;
 }
 

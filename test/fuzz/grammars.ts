@@ -4,11 +4,13 @@ import { dicom, dicomFolder } from './grammars/dicom.ts';
 import { metaImage, nrrd } from './grammars/grid-files.ts';
 import { hdf5, minc } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
+import { level3 } from './grammars/level3.ts';
 import { manifest } from './grammars/manifest.ts';
 import { netcdf3 } from './grammars/netcdf3.ts';
 import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
+import { rainbow } from './grammars/rainbow.ts';
 import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 import { tiff } from './grammars/tiff.ts';
 import { zarr } from './grammars/zarr.ts';
@@ -19,6 +21,8 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   hdf5,
   netcdf3,
   nexrad,
+  level3,
+  rainbow,
   png,
   jpeg,
   webp,

@@ -52,9 +52,15 @@ const foreign: readonly ForeignFormat[] = [
   { name: 'a BUFR file', advice: 'to ODIM_H5, with the OPERA software of EUMETNET', matches: begins('BUFR') },
   { name: 'an HDF4 file', advice: 'to HDF5: h4toh5 file.hdf file.h5', matches: begins('\x0e\x03\x13\x01') },
   {
-    name: 'a Rainbow radar file',
+    name: 'an IRIS (Sigmet) radar file',
     advice: 'to CfRadial, with Py-ART or xradar',
-    matches: ({ text }) => /^(<\?xml[^>]{0,100}>\s*)?<volume version=/.test(text),
+    // A structure of the kind 27, product_hdr, in which one of the kind 26 comes first. Source: IRIS Programmer's Manual, structure_header
+    matches: (_, bytes) => startsWith(bytes, '\x1b\0') && startsWith(bytes.subarray(12), '\x1a\0'),
+  },
+  {
+    name: 'a DORADE radar file',
+    advice: 'to CfRadial, with RadxConvert of LROSE',
+    matches: begins('SSWB', 'COMM\0\0', 'COMM\xf4\x01', 'VOLD'),
   },
   {
     name: 'a Universal Format (UF) radar file',

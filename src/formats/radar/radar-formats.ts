@@ -40,13 +40,6 @@ export const nexrad: VolumeFormat = {
   load: load('nexrad'),
 };
 
-/** The reader's name for each of them. */
-export const radarKinds = new Map<object, RadarKind>([
-  [hdf5, 'hdf5'],
-  [netcdf3, 'netcdf3'],
-  [nexrad, 'nexrad'],
-]);
-
 /** The volume header of an Archive II file; older ones say ARCHIVE2. */
 function isNexrad(bytes: Uint8Array): boolean {
   return startsWith(bytes, 'AR2V') || startsWith(bytes, 'ARCHIVE2.');

@@ -8,7 +8,7 @@ import { buildPolarVolume } from './build-polar-volume.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
-export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
+export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad' | 'level3' | 'rainbow';
 
 /**
  * Reads a radar file and converts the chosen moment to a volume on its polar grid. An HDF5 file may also be MINC 2, which
@@ -35,6 +35,10 @@ export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>,
       return (await import('./cfradial1.ts')).readCfradial1(bytes, budget);
     case 'nexrad':
       return (await import('./nexrad.ts')).readNexrad(bytes, budget);
+    case 'level3':
+      return (await import('./level3.ts')).readLevel3(bytes, budget);
+    case 'rainbow':
+      return (await import('./rainbow.ts')).readRainbow(bytes, budget);
   }
 }
 

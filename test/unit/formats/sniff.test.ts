@@ -57,7 +57,8 @@ describe('files of formats that are not read', () => {
     ['GRIB', bytesOf('GRIB', 30), /GRIB/],
     ['BUFR', bytesOf('BUFR', 30), /BUFR .* ODIM_H5/],
     ['HDF4', bytesOf('\x0e\x03\x13\x01', 30), /HDF4 .* h4toh5/],
-    ['Rainbow', bytesOf('<volume version="5.22.6" type="vol">'), /Rainbow/],
+    ['DORADE', bytesOf('SSWB\0\0\0\xc4', 40), /DORADE .* RadxConvert/],
+    ['IRIS', bytesOf('\x1b\0\x08\0\0\x60\x39\0\0\0\0\0\x1a\0\x06\0', 700), /IRIS .* xradar/],
     ['zip', bytesOf('PK\x03\x04', 30), /unpack/],
   ];
   for (const [name, bytes, words] of cases) {
