@@ -50,6 +50,13 @@ export class SourceAttributes extends LookAttributes {
   @property({ kind: number }) series!: number | null;
 
   /**
+   * Whether cookies and logins are sent to other servers than the page's own, as for `<img crossorigin>`: `anonymous` or `use-credentials`. It counts for all that the
+   * element fetches, also for elements inside.
+   * @default anonymous
+   */
+  @property({ attribute: 'crossorigin' }) crossOrigin!: string | null;
+
+  /**
    * Hides isolated parts, such as a head rest or specks. It looks at all voxels above a value. A part is hidden if no voxel faces connect
    * it to the largest part or to a part of at least a tenth of its size. By default the value is where the volume begins to be visible. You
    * can set the value, `clean="150"`, for instance if your `transfer-function` shows lower values. Picks, slices and statistics ignore

@@ -43,7 +43,7 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
   }
 
   /**
-   * Fetches the files of `src`, and those of `<volume-labels>` and `<volume-layer>` inside, in place of the browser's own `fetch`, with the same arguments and result: for instance to send a token.
+   * Fetches the files of `src`, and those of the elements inside, in place of the browser's own `fetch`, with the same arguments and result: for instance to send a token.
    * It is used for the loads that begin after it is set; `reload()` begins one. null, or no function, for the browser's own.
    */
   declare fetch?: typeof globalThis.fetch | null;

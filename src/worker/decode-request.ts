@@ -52,21 +52,22 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     fetch,
   } = environment;
   const url = request.files?.[0] ?? request.url;
-  let named: RequestCredentials | undefined;
   let opened: OpenedFiles | undefined;
   let { files } = request;
   // Of a file of several volumes, those that are shown are fetched.
   let isEnough = request.scan && !files ? startsSeries : null;
   const settings = { ...request.settings, scan: request.scan };
+  const { credentials } = settings;
+  let named: RequestCredentials | undefined = credentials;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // Long work on the main thread passes here often.
     onProgress({ loaded, total, phase });
   };
   const load = { request, onCoarse, onProgress: report('fetch'), budget };
-  const reading = { signal, pageOrigin, fetch, maxBytes: Math.min(maxFileBytes, budget.deviceBytes) };
+  const reading = { signal, pageOrigin, fetch, credentials, maxBytes: Math.min(maxFileBytes, budget.deviceBytes) };
   const optionsOf = (url: string) => ({
     ...reading,
-    credentials: request.files?.includes(url) ? undefined : named,
+    credentials: request.files?.includes(url) ? credentials : named,
     isEnough,
   });
   const fetchOne: FetchOne = (url, onProgress) => (opened?.read ?? fetchBytes)(url, { ...optionsOf(url), onProgress });

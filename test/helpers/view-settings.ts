@@ -17,6 +17,7 @@ export const noAttributes: GivenAttributes = {
   verticalExaggeration: null,
   clean: null,
   series: null,
+  crossOrigin: null,
   time: null,
   autoplay: null,
   playSpeed: null,

@@ -334,7 +334,17 @@ await check(
       .map(({ name }) => name);
     assert.deepEqual(
       new Set(others),
-      new Set(['authoring', 'crosshair', 'cursor', 'height', 'link-state', 'pickable', 'poster', 'width']),
+      new Set([
+        'authoring',
+        'crosshair',
+        'crossorigin',
+        'cursor',
+        'height',
+        'link-state',
+        'pickable',
+        'poster',
+        'width',
+      ]),
     );
   },
 );

@@ -19,4 +19,6 @@ export interface SourceSettings extends MosaicSettings, RadarSettings {
   readonly region?: readonly number[];
   /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
   readonly clean?: Cleaning;
+  /** Whether cookies and logins are sent to other servers than the page's own; not where undefined. */
+  readonly credentials?: 'include';
 }

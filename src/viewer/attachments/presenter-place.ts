@@ -1,5 +1,6 @@
 import type { Volume } from '../../volume/volume.ts';
 import type { ReportedFile } from '../model/file-notices.ts';
+import { fetchOf } from '../loading/fetch-of-view.ts';
 import { reportFileNotices } from '../model/report-notices.ts';
 import type { Aspect } from '../model/error-state.ts';
 import type { Scene } from '../model/scene.ts';
@@ -35,7 +36,7 @@ export abstract class PresenterPlace<Value extends { readonly shown: unknown }> 
   }
 
   get fetch(): typeof globalThis.fetch | null | undefined {
-    return this.view.host.fetch;
+    return fetchOf(this.view);
   }
 
   /** The file of that volume, for messages. */

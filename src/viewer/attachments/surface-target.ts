@@ -4,6 +4,7 @@ import type { ShownSurface } from '../../renderer/layers/shown-surfaces.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ReportedFile } from '../model/file-notices.ts';
+import { fetchOf } from '../loading/fetch-of-view.ts';
 import { reportFileNotices } from '../model/report-notices.ts';
 import type { AttachmentTarget } from '../model/label-target.ts';
 import type { Scene } from '../model/scene.ts';
@@ -58,7 +59,7 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
   }
 
   get fetch(): typeof globalThis.fetch | null | undefined {
-    return this.view.host.fetch;
+    return fetchOf(this.view);
   }
 
   bounds(): readonly Vector3[] {

@@ -35,6 +35,7 @@ export function readSource(given: GivenSource): SourceSettings {
     clean,
     series,
     region,
+    crossOrigin,
   } = given;
   return {
     spherical:
@@ -60,7 +61,14 @@ export function readSource(given: GivenSource): SourceSettings {
     clean: clean === null ? undefined : parseClean(clean),
     series: series === null ? undefined : parseCount('series', series),
     region: region === null ? undefined : (parseRegion(region) ?? undefined),
+    credentials: sendsCookies(crossOrigin) ? 'include' : undefined,
   };
+}
+
+/** As `crossorigin` of `<img>`, but a word that is none of its is an error. */
+function sendsCookies(text: string | null): boolean {
+  const words = ['anonymous', 'use-credentials'] as const;
+  return text !== null && text.trim() !== '' && parseWord('crossorigin', text, words) === 'use-credentials';
 }
 
 /** `x y z`, none zero; a negative one reverses its axis, for instance for slices that run from head to feet. */

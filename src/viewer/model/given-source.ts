@@ -13,6 +13,7 @@ export const sourceNames = [
   'clean',
   'series',
   'region',
+  'crossOrigin',
 ] as const;
 
 /** One of them. */

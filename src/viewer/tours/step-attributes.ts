@@ -50,6 +50,7 @@ export const notInSteps: readonly string[] = [
   'controls',
   'controlslist',
   'coordinates',
+  'crossorigin',
   'detail',
   'elevations',
   'height',

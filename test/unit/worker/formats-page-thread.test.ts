@@ -54,6 +54,18 @@ describe('the files that a manifest names', () => {
     );
   }
 
+  it('come with the credentials that the attribute crossorigin asks for, except where the manifest is of another origin', async () => {
+    for (const [base, second] of [
+      [pageOrigin, 'include'],
+      ['https://other.test', 'omit'],
+    ])
+      await withServer([textOf(JSON.stringify({ image: 'a.nii' })), { status: 404 }], async (asked) => {
+        const request = { ...requestOf(`${base}/a.json`), settings: { credentials: 'include' } as const };
+        await expectError(decodeRequest(request, environment));
+        expect(asked.map((one) => one.credentials)).to.deep.equal(['include', second]);
+      });
+  });
+
   it('that the page lists itself come as its reader, whatever their first one is', async () => {
     const files = ['https://other.test/a.png', `${pageOrigin}/b.png`];
     const png = await fetchFixture('mosaic/gray-3x2.png');
