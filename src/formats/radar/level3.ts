@@ -64,6 +64,11 @@ export async function readLevel3(
         read: (moment) => (moment === name ? { ...grid, ...valuesOf(radials, message, product) } : null),
       },
     ],
+    ...(product.coding === 'classes' && {
+      left: [
+        'numbers stand for kinds of echo (10 animals, 20 ground, 30 ice crystals, 40 dry snow, 50 wet snow, 60 rain, 70 heavy rain, 80 big drops, 90 graupel, 100, 110, 120 hail, 140 unknown); between two gates of other kinds their colours are mixed, which say nothing there',
+      ],
+    }),
     ...(azimuths.length < announced && {
       partial: `the file was cut short: ${azimuths.length} of ${announced} radials are there`,
     }),
@@ -100,7 +105,7 @@ function valuesOf({ codes }: Level3Radials, { levels }: Level3Message, { coding,
   }
 }
 
-/** Of the kinds of echo of product 165, the one that is none. Source: ICD 2620001, figure 3-6, note on product 165 */
+/** Of the kinds of echo of product 165, the one that is none. Source: ICD 2620001, note on product 165; MetPy 1.7, `DigitalHMCMapper` */
 const rangeFolded = 150;
 
 /** @throws {VolumeViewError} `format/corrupt` */

@@ -61,6 +61,13 @@ describe('NEXRAD Level III', () => {
     expect(volume.range).to.deep.equal([-63.5, 63]);
   });
 
+  it('of kinds of echo says what its numbers stand for, and that colours between two kinds say nothing', async () => {
+    const { radar } = await decodeBytes(buildLevel3(builtProducts.classes165), 'N0H');
+    expect(radar!.left).to.have.length(1);
+    expect(radar!.left[0]).to.contain('60 rain').and.to.contain('colours are mixed');
+    expect((await decodeBytes(buildLevel3(builtProducts.ratio159), 'N0X')).radar!.left).to.deep.equal([]);
+  });
+
   it('that was cut short shows the radials before the cut, and says so', async () => {
     const whole = buildLevel3(builtProducts.reflectivity94);
     const { sweeps, partial } = await readLevel3(whole.slice(0, -13));
