@@ -19,7 +19,8 @@ import { probeTwoByteFilter } from '../../src/renderer/probes/probe-filter.ts';
 import type { DrawTarget } from '../../src/renderer/device/draw-target.ts';
 import { PassDrawing } from '../../src/renderer/passes/pass-drawing.ts';
 import type { Caster, Pass } from '../../src/renderer/passes/pass-drawing.ts';
-import { createProbeTarget, readProbe } from '../../src/renderer/probes/probe-target.ts';
+import { startReading } from '../../src/renderer/device/read-picture.ts';
+import { createProbeTarget } from '../../src/renderer/probes/probe-target.ts';
 import { compileProgram } from '../../src/renderer/device/program.ts';
 import { joinInputs } from '../../src/renderer/device/inputs.ts';
 import type { ProgramInputs } from '../../src/renderer/device/inputs.ts';
@@ -214,8 +215,9 @@ export class StudyGl {
 
   #read(): Float32Array {
     const gl = this.#gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#target.framebuffer);
-    const pixels = readProbe(this.#target);
+    const { framebuffer, width, height } = this.#target;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    const pixels = startReading(gl, { width, height }, new Float32Array(4 * width * height))();
     const error = gl.getError();
     if (error) throw new Error(gl.isContextLost() ? 'The graphics driver stopped.' : `WebGL error ${error}`);
     return pixels;

@@ -21,7 +21,7 @@ import { plainRays } from '../renderer/ray/ray-plan.ts';
 import type { RayPlan } from '../renderer/ray/ray-plan.ts';
 import { VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import type { FieldProviders, View } from '../renderer/layers/volume-layer.ts';
-import { readPicture } from '../renderer/device/read-picture.ts';
+import { readPicture, startReading } from '../renderer/device/read-picture.ts';
 import type { GpuTimer } from '../renderer/device/gpu-timer.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import type { VolumePicture } from './read-volume.ts';
@@ -280,6 +280,13 @@ export class VolumeScene extends LayerScene {
   /** The last picture in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
     return readPicture(this.#gl, this.canvas);
+  }
+
+  /** The same: the function waits for the GPU only if that has not `finished` since. */
+  startReading(): () => Pixels {
+    const { width, height } = this.canvas;
+    const read = startReading(this.#gl, { width, height }, new Uint8Array(4 * width * height));
+    return () => ({ data: read(), width, height });
   }
 
   /** The volume of the last picture, if it got all its rays, without the shapes around it; null if it did not. */

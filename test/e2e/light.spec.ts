@@ -8,7 +8,7 @@ interface Counted {
   /** How many there were at the first picture. */
   atFirst: number;
   contexts: number;
-  /** Pixels that were read back, at which the page waits, at each picture; and how many there are. */
+  /** How often pixels were read back, at each picture; and how often in all. */
   reads: number;
   readsAt: number[];
   /** Uploads of the means over spans of values. */
@@ -61,10 +61,15 @@ for (const { title, attributes, parts } of plainScans) {
         if (kind === 'webgl2') counted.contexts++;
         return getContext.call(this, kind, options);
       } as typeof HTMLCanvasElement.prototype.getContext;
-      const { readPixels, texImage2D } = WebGL2RenderingContext.prototype;
+      const { readPixels, getBufferSubData, texImage2D } = WebGL2RenderingContext.prototype;
       WebGL2RenderingContext.prototype.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
-        counted.reads++;
+        // Into a buffer of the GPU: the page reads that later.
+        if (typeof args[6] !== 'number') counted.reads++;
         Reflect.apply(readPixels, this, args);
+      };
+      WebGL2RenderingContext.prototype.getBufferSubData = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+        counted.reads++;
+        Reflect.apply(getBufferSubData, this, args);
       };
       WebGL2RenderingContext.prototype.texImage2D = function (this: WebGL2RenderingContext, ...args: unknown[]) {
         if (args.at(-1) instanceof Float32Array && args[4] === 64) counted.tables++;

@@ -20,10 +20,14 @@ for (const [name, tag] of [
       const watched: Watched = { reads: 0, waits: [], shown: 0 };
       Object.assign(window, { watched });
       const gl = WebGL2RenderingContext.prototype;
-      const { readPixels, fenceSync, clientWaitSync } = gl;
+      const { readPixels, getBufferSubData, fenceSync, clientWaitSync } = gl;
       // By contexts: how many drawings there were, and how many of them are known to be done.
       const drawn = new WeakMap<WebGL2RenderingContext, { count: number; done: number }>();
       const fences = new WeakMap<WebGLSync, number>();
+      // The GPU copies what is read later into a buffer, in order with its drawings: by buffers, the number of the copy.
+      const copies = new WeakMap<WebGLBuffer, number>();
+      const bound = (context: WebGL2RenderingContext): WebGLBuffer =>
+        context.getParameter(context.PIXEL_PACK_BUFFER_BINDING) as WebGLBuffer;
       const of = (context: WebGL2RenderingContext): { count: number; done: number } =>
         drawn.get(context) ?? { count: 0, done: 0 };
       for (const draw of ['drawArrays', 'drawElements'] as const) {
@@ -47,10 +51,19 @@ for (const [name, tag] of [
       gl.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
         watched.reads++;
         const { count, done } = of(this);
+        if (typeof args[6] === 'number') {
+          drawn.set(this, { count: count + 1, done });
+          copies.set(bound(this), count + 1);
+          return Reflect.apply(readPixels, this, args);
+        }
         // What a device's filters do is asked of a few pixels, once, before there is a picture.
         const isPicture = Number(args[2]) * Number(args[3]) > 64;
         if (isPicture && done < count) watched.waits.push(watched.shown);
         Reflect.apply(readPixels, this, args);
+      };
+      gl.getBufferSubData = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+        if (of(this).done < (copies.get(bound(this)) ?? Infinity)) watched.waits.push(watched.shown);
+        Reflect.apply(getBufferSubData, this, args);
       };
       document.addEventListener('render', () => watched.shown++, true);
     });

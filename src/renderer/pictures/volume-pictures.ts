@@ -2,10 +2,11 @@ import { VolumeViewError } from '../../core/errors.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
 import type { Gl } from '../device/device.ts';
 import { bytesAttachment, DrawTarget } from '../device/draw-target.ts';
+import { startReading } from '../device/read-picture.ts';
 import { PassDrawing } from '../passes/pass-drawing.ts';
 import type { Pass, Size } from '../passes/pass-drawing.ts';
 import type { EdgeDrawing, ShapeDepths } from '../ray/ray-module.ts';
-import { createProbeTarget, readProbe } from '../probes/probe-target.ts';
+import { createProbeTarget } from '../probes/probe-target.ts';
 import { makeCoarsePictures } from './adaptive-provider.ts';
 import type { CoarsePictures } from './adaptive-provider.ts';
 import type { View, VolumeLayer } from '../layers/volume-layer.ts';
@@ -92,7 +93,8 @@ export class VolumePictures {
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
     this.draw({ ...lattice, target, half: null }, { ...cast, maxCurvature: 0 });
-    return () => readProbe(target);
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
+    return startReading(this.gl, lattice, new Float32Array(4 * lattice.width * lattice.height));
   }
 
   dispose(): void {

@@ -15,11 +15,3 @@ export function createProbeTarget(gl: Gl): DrawTarget | null {
     { point: gl.COLOR_ATTACHMENT0, internal, format: gl.RGBA, type: gl.FLOAT, samplerName: 'uProbe' },
   ]);
 }
-
-/** Read the pixels of a float target: RGBA, premultiplied, 0..1, bottom row first. Binds its framebuffer. */
-export function readProbe({ gl, framebuffer, width, height }: DrawTarget): Float32Array<ArrayBuffer> {
-  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-  const pixels = new Float32Array(width * height * 4);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
-  return pixels;
-}

@@ -184,7 +184,10 @@ const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
  */
 export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel>> {
   const { scene } = view;
-  const picture = scene.readPicture();
+  const read = scene.startReading();
+  await scene.finished();
+  if (!view.goesOn()) return {};
+  const picture = read();
   const chosen = lastChosen.get(scene);
   const learned = await chosen?.quality.learnSteps(chosen.level, view.goesOn);
   await rest();

@@ -155,6 +155,8 @@ export interface Scene {
   ): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
+  /** The same: the function waits for the GPU only if that has not `finished` since. */
+  startReading(): () => Pixels;
   /**
    * The volume of the last picture, which got all its rays, without the shapes around it, and how these shapes change quads; null
    * where there are no shapes.

@@ -111,6 +111,10 @@ class FakeScene {
     return { data: new Uint8Array(width * height * 4), width, height };
   }
 
+  startReading(): () => object {
+    return () => this.readPicture();
+  }
+
   readVolume(): null {
     return null;
   }
