@@ -349,18 +349,18 @@ await check(
   },
 );
 
-await check('our own code for a page with a NIfTI file is below 67.95 kB gzipped', async () => {
+await check('our own code for a page with a NIfTI file is below 68.2 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
-  assert.ok(bytes < 67_950, `${bytes} bytes`);
+  assert.ok(bytes < 68_200, `${bytes} bytes`);
   return `${bytes} bytes`;
 });
 
 await check(
-  'the classic script for a page with a NIfTI file is below 76.9 kB gzipped: few parts of it come at once',
+  'the classic script for a page with a NIfTI file is below 77.2 kB gzipped: few parts of it come at once',
   () => {
     const [atOnce, worker] = measureClassic();
     const bytes = atOnce.gzipped + worker.gzipped;
-    assert.ok(bytes < 76_900, `${bytes} bytes`);
+    assert.ok(bytes < 77_200, `${bytes} bytes`);
     return `${bytes} bytes`;
   },
 );
