@@ -1,11 +1,12 @@
 // `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element. The text comes from the comments of the
 // elements, from the types of their events and properties, and from the error codes. It also writes the map of the code, docs/develop/rooms.md
-// (map-rooms.mjs). `--check` fails if a page is out of date, missing or no longer needed.
+// (map-rooms.mjs), and the table of elements that a lesson may have. `--check` fails if a page is out of date, missing or no longer needed.
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { mapRooms } from './map-rooms.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { readElements } from './write-tag-data.mjs';
 
 /** @typedef {Record<string, any>} Entry - of the custom-elements manifest */
 
@@ -317,6 +318,24 @@ function mkdirs(path) {
   mkdirSync(path, { recursive: true });
   return path;
 }
+
+/** The elements and attributes that a lesson may have, for the package that writes lessons; relative to docs. */
+const tablePath = '../packages/lesson-writers/src/volume-elements.ts';
+const rows = readElements().map(
+  ({ tagName, attributes = [] }) =>
+    `  '${tagName}': '${attributes.map((/** @type {Entry} */ one) => one.name).join(' ')}',\n`,
+);
+rows.sort();
+wanted.set(
+  tablePath,
+  `// ${note}
+
+/** The attributes of each element, separated by blanks. */
+export const volumeElements: Readonly<Record<string, string>> = {
+${rows.join('')}};
+`,
+);
+if (existsSync(join(folder, tablePath))) present.push(tablePath);
 
 if (!process.argv.includes('--check')) {
   for (const [path, text] of wanted) writeFileSync(join(folder, path), text);

@@ -59,6 +59,12 @@ const parts = [
     counts: true,
     after: 'Build: dist stays whole meanwhile',
   },
+  {
+    title: 'Lessons as pages and courses',
+    args: ['test/package/lesson-writers.mjs'],
+    counts: true,
+    browser: true,
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {

@@ -12,7 +12,7 @@ const oneLine = (text) => (text ?? '').replace(/\s+/g, ' ').trim();
 const comment = (text) => `/** ${oneLine(text).replaceAll('*/', '* /')} */`;
 
 /** The elements of the manifest, each with the module that defines it. @returns {Entry[]} */
-function readElements() {
+export function readElements() {
   const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
   const elements = modules
     .flatMap((/** @type {Entry} */ module) =>

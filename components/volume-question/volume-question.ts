@@ -151,6 +151,16 @@ export class VolumeQuestion extends ReflectingElement {
     this.requestUpdate();
   }
 
+  /**
+   * Show an answer that the reader gave earlier: the detail of its event `answer`, which a page or a course has kept. It fires no event.
+   * Whether it is right is not judged again.
+   */
+  restore(answer: Omit<AnswerDetail, 'id'>): void {
+    this.#answering.restore(answer);
+    this.#isHinted = !answer.correct;
+    this.requestUpdate();
+  }
+
   override connectedCallback(): void {
     super.connectedCallback();
     this.#sizes.observe(this); // In a closed step it has no size.

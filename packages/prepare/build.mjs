@@ -1,12 +1,16 @@
 // `npm run build` in this folder: builds the program and its modules, from TypeScript and the readers of the element, as JavaScript for
 // Node.
+import { cpSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
 const folder = dirname(fileURLToPath(import.meta.url));
 
-/** Build the folder dist. @returns {Promise<void>} */
+/** What a page of a lesson loads, of the folder dist of the element. */
+const player = ['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'classic', 'THIRD-PARTY-LICENSES.txt'];
+
+/** Build the folder dist; the element has been built before. @returns {Promise<void>} */
 export async function buildPrepare() {
   await build({
     configFile: false,
@@ -31,6 +35,8 @@ export async function buildPrepare() {
       },
     },
   });
+  for (const name of player)
+    cpSync(join(folder, '../../dist', name), join(folder, 'dist/player', name), { recursive: true });
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) await buildPrepare();

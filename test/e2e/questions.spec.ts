@@ -88,8 +88,8 @@ test.describe('questions', () => {
     await expect(page.getByText('Well done').first()).toBeVisible();
     await expect(page.getByRole('radio', { name: 'Left' })).toBeDisabled();
     expect(await heard()).toEqual([
-      { id: 'q', response: 'Left', correct: false, tries: 1 },
-      { id: 'q', response: 'Right one', correct: true, tries: 2 },
+      { id: 'q', response: 'Left', chosen: [0], correct: false, tries: 1 },
+      { id: 'q', response: 'Right one', chosen: [1], correct: true, tries: 2 },
     ]);
     expect(await findFaults(page)).toEqual([]);
   });
@@ -135,7 +135,7 @@ test.describe('questions', () => {
     await clickAt(page, 0, 0);
     await expect(statusOf(page)).toHaveText('Right. Well done');
     const [, { response, ...rest }] = (await heard()) as [unknown, { response: string }];
-    expect(rest).toEqual({ id: 'q', correct: true, tries: 2 });
+    expect(rest).toEqual({ id: 'q', chosen: [], correct: true, tries: 2 });
     response.split(' ').forEach((text, i) => expect(Math.abs(Number(text) - middle[i])).toBeLessThan(0.5));
     await clickAt(page, 40, 20);
     await page.waitForTimeout(300);

@@ -1,5 +1,6 @@
 #!/usr/bin/env node
-// The program. It makes a radar file into an image with a manifest, and any file into a page that contains it.
+// The program. It makes a radar file into an image with a manifest, any file into a page that contains it, a lesson into a package for a
+// course, and a folder into a web site.
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism, totalmem } from 'node:os';
 import { basename } from 'node:path';
@@ -8,6 +9,7 @@ import { makeRadarMosaic } from '../../../src/prepare/radar-mosaic.ts';
 import { formatManifest } from './format-manifest.ts';
 import { nameFiles } from './name-files.ts';
 import { Misuse } from './misuse.ts';
+import type { LessonWords } from './write-lesson.ts';
 import { maxPageBytes, writePage } from './write-page.ts';
 import { version } from '../package.json';
 
@@ -15,6 +17,8 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
+volume-view-prepare LESSON.html [--as page | scorm | scorm-2004] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
+    a lesson and the files that it names, as a folder for a web server, or as a package (ZIP) for a course
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 
@@ -98,6 +102,29 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   );
 }
 
+interface LessonValues extends LessonWords {
+  readonly as?: string;
+  readonly pass?: string;
+  readonly out?: string;
+}
+
+async function writeCourse(path: string, { as = 'page', pass, out, ...words }: LessonValues): Promise<void> {
+  if (as !== 'page' && as !== 'scorm' && as !== 'scorm-2004')
+    throw new Misuse(`got --as ${as}; expected page, scorm or scorm-2004`);
+  if (pass !== undefined && as === 'page') throw new Misuse('got --pass for a page; expected it with --as scorm');
+  const percent = pass === undefined ? null : readCount('pass', pass, [1, 100]);
+  const { writeLesson } = await import('./write-lesson.ts');
+  const written = await writeLesson(path, {
+    as,
+    pass: percent,
+    out,
+    words,
+    player: new URL('./player/', import.meta.url),
+  });
+  for (const line of written.left) console.error(`left out: ${line}`);
+  console.log(`${written.name}: ${written.count} files, ${(written.bytes / 1e6).toFixed(1)} MB`);
+}
+
 function readCount(name: string, text: string, [low, high] = [1, Number.MAX_SAFE_INTEGER]): number {
   const count = Number(text);
   const limit = high < Number.MAX_SAFE_INTEGER ? ` to ${high}` : '';
@@ -110,7 +137,7 @@ async function main(): Promise<void> {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: {
-      as: { type: 'string', default: 'mosaic' },
+      as: { type: 'string' },
       moment: { type: 'string' },
       alt: { type: 'string' },
       out: { type: 'string' },
@@ -118,6 +145,11 @@ async function main(): Promise<void> {
       poster: { type: 'string', default: '256' },
       jobs: { type: 'string' },
       timeout: { type: 'string', default: '1800' },
+      title: { type: 'string' },
+      language: { type: 'string' },
+      licence: { type: 'string' },
+      credits: { type: 'string' },
+      pass: { type: 'string' },
       'keep-names': { type: 'boolean', default: false },
       deface: { type: 'boolean', default: false },
       help: { type: 'boolean', short: 'h' },
@@ -130,10 +162,12 @@ async function main(): Promise<void> {
     throw new Misuse(
       'got --deface; expected data without faces: a rendered head shows the face of a person. Programs that remove faces are pydeface, mri_deface and mideface (FreeSurfer), fsl_deface (FSL), quickshear, and afni_refacer_run (AFNI). Run one of them, look at the result, then prepare that',
     );
-  if (statSync(path).isDirectory()) return writeSite(path, values);
-  if (values.as === 'mosaic') return writeMosaic(path, values.moment, values.out);
-  if (values.as === 'page') return writeVolumePage(path, values.alt, values.out);
-  throw new Misuse(`got --as ${values.as}; expected mosaic or page`);
+  if (/\.x?html?$/i.test(path)) return writeCourse(path, values);
+  const as = values.as ?? 'mosaic';
+  if (statSync(path).isDirectory()) return writeSite(path, { ...values, as });
+  if (as === 'mosaic') return writeMosaic(path, values.moment, values.out);
+  if (as === 'page') return writeVolumePage(path, values.alt, values.out);
+  throw new Misuse(`got --as ${as}; expected mosaic or page`);
 }
 
 await main().catch((error: unknown) => {

@@ -1,6 +1,6 @@
 import { existsSync } from 'node:fs';
 import { chmod, cp, mkdir, mkdtemp, open, readdir, rename, rm } from 'node:fs/promises';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 
 /** Folders and files that are being written, or are about to be removed, begin with this. */
 const unfinished = '.unfinished-';
@@ -13,7 +13,7 @@ export async function removeUnfinished(site: string): Promise<void> {
 
 /**
  * Writes a folder as a whole: under another name, then it gets its own. So a reader, or a run that is ended at any moment, never finds a part of it.
- * @param files - contents by names
+ * @param files - contents by names, with `/` between folders
  */
 export async function writeFolder(
   site: string,
@@ -22,7 +22,10 @@ export async function writeFolder(
 ): Promise<void> {
   await mkdir(site, { recursive: true });
   const beside = await mkdtemp(join(site, unfinished));
-  for (const [file, content] of Object.entries(files)) await writeThrough(join(beside, file), content);
+  for (const [file, content] of Object.entries(files)) {
+    await mkdir(dirname(join(beside, file)), { recursive: true });
+    await writeThrough(join(beside, file), content);
+  }
   await giveName(site, beside, name);
 }
 

@@ -9,6 +9,8 @@ export interface AnswerDetail {
   readonly id: string;
   /** The chosen answers, separated by commas; the place `x y z`; or the text of the field. */
   readonly response: string;
+  /** Numbers of the chosen answers in the list, from 0; empty for other types of questions. */
+  readonly chosen: readonly number[];
   readonly correct: boolean;
   /** How many answers the reader has given, with this one. */
   readonly tries: number;
@@ -19,8 +21,6 @@ const kept = (): KeptAnswers => new KeptAnswers(() => localStorage, location.pat
 /** The answers to one question so far. */
 export class Answering {
   result: AnswerDetail | null = null;
-  /** Numbers of the answers that were chosen last. */
-  chosen: readonly number[] = [];
   #tries = Infinity;
   #asked = '';
   #storedAs = '';
@@ -30,6 +30,11 @@ export class Answering {
   /** How many tries are left; Infinity for any number. */
   get left(): number {
     return this.#tries - (this.result?.tries ?? 0);
+  }
+
+  /** Numbers of the answers that were chosen last. */
+  get chosen(): readonly number[] {
+    return this.result?.chosen ?? [];
   }
 
   get isDone(): boolean {
@@ -47,31 +52,35 @@ export class Answering {
     const asked = JSON.stringify(question);
     this.#tries = question.tries;
     if (asked === this.#asked && storedAs === this.#storedAs) return;
-    if (this.#asked !== '' && asked !== this.#asked) [this.result, this.chosen] = [null, []];
+    if (this.#asked !== '' && asked !== this.#asked) this.result = null;
     [this.#asked, this.#storedAs] = [asked, storedAs];
     const found = storedAs && !this.result ? kept().recall(storedAs, asked) : null;
     if (!found) return;
-    const { response, correct, tries } = found;
-    this.result = { id: storedAs, response, correct, tries };
-    this.chosen = found.chosen;
+    const { response, chosen, correct, tries } = found;
+    this.result = { id: storedAs, response, chosen, correct, tries };
+  }
+
+  /** Take an answer that was given earlier, and kept elsewhere. */
+  restore({ response, chosen, correct, tries }: Omit<AnswerDetail, 'id'>): void {
+    this.result = { id: this.element.id, response, chosen, correct, tries };
   }
 
   /** @param place - of the question, as `position` has it; null where it is not known */
   answer(question: Question, response: Response, place: Vector3 | null): AnswerDetail {
-    this.chosen = 'chosen' in response ? response.chosen : [];
     this.result = {
       id: this.element.id,
       response: writeResponse(question, response),
+      chosen: 'chosen' in response ? response.chosen : [],
       correct: isRight(question, response, place),
       tries: (this.result?.tries ?? 0) + 1,
     };
-    if (this.#storedAs) kept().keep(this.#storedAs, { ...this.result, asked: this.#asked, chosen: this.chosen });
+    if (this.#storedAs) kept().keep(this.#storedAs, { ...this.result, asked: this.#asked });
     return this.result;
   }
 
   reset(): void {
     if (this.#storedAs) kept().forget(this.#storedAs);
-    [this.result, this.chosen] = [null, []];
+    this.result = null;
   }
 }
 

@@ -1,0 +1,143 @@
+import { readdir, readFile, stat } from 'node:fs/promises';
+import { basename, dirname, join, relative, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { zipSync } from 'fflate';
+import type { Zippable } from 'fflate';
+import {
+  LessonError,
+  listManifestFiles,
+  readLesson,
+  writePageFiles,
+  writeScormFiles,
+} from '../../lesson-writers/src/index.ts';
+import type { Lesson, LessonFile, LessonProblem } from '../../lesson-writers/src/index.ts';
+import { nameFiles } from './name-files.ts';
+import { writeFolder, writeWhole } from './write-folder.ts';
+
+/** What is said of a lesson, where its HTML does not say it, or says something else. */
+export interface LessonWords {
+  readonly title?: string;
+  readonly language?: string;
+  readonly licence?: string;
+  readonly credits?: string;
+}
+
+interface LessonOptions {
+  readonly as: 'page' | 'scorm' | 'scorm-2004';
+  /** Percent of the questions. */
+  readonly pass: number | null;
+  readonly out: string | undefined;
+  readonly words: LessonWords;
+  /** The folder with the element's own files. */
+  readonly player: URL;
+}
+
+/** Bytes of all files of a lesson: a package is made in memory, and few courses take larger ones. */
+const maxBytes = 2 ** 29;
+
+/**
+ * Reads a lesson with the files that it names, and writes it: a folder, or a ZIP archive.
+ * @param path - of the HTML
+ * @throws {LessonError} where something in it is refused
+ */
+export async function writeLesson(path: string, { as, pass, out, words, player }: LessonOptions) {
+  const { lesson, left } = await readLessonFiles(path, words);
+  const parts = await readPlayer(fileURLToPath(player));
+  const files =
+    as === 'page'
+      ? writePageFiles(lesson, parts)
+      : writeScormFiles(lesson, parts, { version: as === 'scorm' ? '1.2' : '2004', pass });
+  const own = nameFiles(path.replace(/\.x?html?$/i, ''));
+  const target = resolve(out ?? (as === 'page' ? `${own}-page` : `${own}.zip`));
+  if (as === 'page') await checkFolder(target);
+  const packed = as === 'page' ? null : zipFiles(files);
+  if (packed) await writeWhole(dirname(target), basename(target), packed);
+  else
+    await writeFolder(dirname(target), basename(target), Object.fromEntries(files.map((one) => [one.path, one.bytes])));
+  const bytes = packed?.length ?? files.reduce((sum, one) => sum + one.bytes.length, 0);
+  return { name: out ?? basename(target), count: files.length, bytes, left };
+}
+
+/** A folder is written as a whole: one with other files stays. */
+async function checkFolder(path: string): Promise<void> {
+  const names = await readdir(path).catch((): string[] => []);
+  if (names.length > 0 && !names.includes('lesson.css'))
+    throw new RangeError(
+      `got --out ${basename(path)}, where other files are; expected a new folder, or one with an earlier page of a lesson`,
+    );
+}
+
+/** The files that the HTML names, and those that their manifests name. */
+async function readLessonFiles(path: string, words: LessonWords): Promise<{ lesson: Lesson; left: readonly string[] }> {
+  const html = await readFile(path, 'utf8');
+  const { named, head, left, problems } = readLesson(html);
+  const missing: LessonProblem[] = [];
+  const files = new Map<string, LessonFile>();
+  const wanted = [...named];
+  let total = 0;
+  for (let name = wanted.shift(); name !== undefined; name = wanted.shift()) {
+    if (files.has(name)) continue;
+    const place = join(dirname(path), name);
+    const found = await stat(place).catch(() => null);
+    const refuse = (message: string): number => missing.push({ message, line: null });
+    if (!found) refuse(`got no file ${name}; expected it in the folder of ${basename(path)}`);
+    else if (!found.isFile())
+      refuse(`${name} is a folder; expected a file (an OME-Zarr as .ozx, DICOM as a ZIP archive)`);
+    else if ((total += found.size) > maxBytes)
+      refuse(
+        `the files have more than ${maxBytes / 2 ** 20} MiB; expected less: a mosaic of volume-view-prepare is smaller`,
+      );
+    else {
+      const file = { path: name, bytes: new Uint8Array(await readFile(place)) };
+      files.set(name, file);
+      wanted.push(...listManifestFiles(file).filter((one) => one !== null));
+    }
+  }
+  const { title, language, licence, credits } = words;
+  const lesson = {
+    html,
+    files: [...files.values()],
+    title: title ?? head.title ?? '',
+    language: language ?? head.language ?? '',
+    licence: licence ?? head.license ?? '',
+    credits: credits ?? head.author ?? '',
+  };
+  const lacking = describeLacking(lesson);
+  if (missing.length + lacking.length > 0) throw new LessonError([...problems, ...missing, ...lacking]);
+  return { lesson, left };
+}
+
+/** What neither the page nor the arguments say, with where to write it. */
+function describeLacking({ title, language, licence, credits }: Lesson): LessonProblem[] {
+  return [
+    title || 'got no title; expected <title> in the head of the page, or --title',
+    language || 'got no language; expected <html lang="en">, or --language en',
+    licence ||
+      'got no licence of the data; expected <meta name="license" content="CC BY 4.0"> in the head of the page, or --licence',
+    credits ||
+      'got no credits for the data; expected <meta name="author" content="…"> in the head of the page, or --credits',
+  ].flatMap((text, i) => ([title, language, licence, credits][i] ? [] : [{ message: text, line: null }]));
+}
+
+async function readPlayer(folder: string): Promise<LessonFile[]> {
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true });
+  const paths = entries.filter((one) => one.isFile()).map((one) => join(one.parentPath, one.name));
+  return Promise.all(
+    paths.map(async (path) => ({
+      path: relative(folder, path).replaceAll('\\', '/'),
+      bytes: new Uint8Array(await readFile(path)),
+    })),
+  );
+}
+
+/** A fixed time, so that the same files always give the same bytes. ZIP knows no time zones and no earlier year. */
+const zipTime = new Date(1980, 0, 2);
+
+function zipFiles(files: readonly LessonFile[]): Uint8Array {
+  const entries: Zippable = {};
+  for (const { path, bytes } of files) {
+    const isPacked = /\.(?:gz|png|jpe?g|webp|zip|mgz|h5|ozx)$/i.test(path);
+    entries[path] = [bytes, { level: isPacked ? 0 : 6, mtime: zipTime }];
+  }
+  return zipSync(entries);
+}
