@@ -321,10 +321,11 @@ function mkdirs(path) {
 
 /** The elements and attributes that a lesson may have, for the package that writes lessons; relative to docs. */
 const tablePath = '../packages/lesson-writers/src/volume-elements.ts';
-const rows = readElements().map(
-  ({ tagName, attributes = [] }) =>
-    `  '${tagName}': '${attributes.map((/** @type {Entry} */ one) => one.name).join(' ')}',\n`,
-);
+const rows = readElements().map(({ tagName, attributes = [] }) => {
+  const value = `'${attributes.map((/** @type {Entry} */ one) => one.name).join(' ')}',`;
+  const line = `  '${tagName}': ${value}`;
+  return `${line.length > 120 ? `  '${tagName}':\n    ${value}` : line}\n`; // As the formatter writes it.
+});
 rows.sort();
 wanted.set(
   tablePath,
