@@ -63,7 +63,7 @@ export function readPicture({ set, pixels, syntax, file }: DicomFile, what: stri
   if (isStructureSet(set))
     throw unsupportedFile(
       what,
-      'has contours (RTSTRUCT): they are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
+      'has contours (RTSTRUCT): they are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan, one file alone, on a DICOMweb server by the address of its instance',
     );
   if (!pixels) {
     // Reports and lists of files do not say how large a picture is.
@@ -74,7 +74,7 @@ export function readPicture({ set, pixels, syntax, file }: DicomFile, what: stri
   if (isSegmentation(set))
     throw unsupportedFile(
       what,
-      'is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
+      'is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan, one file alone, on a DICOMweb server by the address of its instance',
     );
   const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
   const samples = set.number(tags.samplesPerPixel) ?? 1;

@@ -5,7 +5,9 @@ import { decodeRequest } from '../../../src/worker/decode-request.ts';
 import type { RequestEnvironment } from '../../../src/worker/decode-request.ts';
 import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../helpers/dicom-bytes.ts';
-import { overlapping, segmentationFields } from '../../helpers/dicom-segmentation.ts';
+import { regions, structureSetFields } from '../../helpers/dicom-contours.ts';
+import { overlapping, scatter, segmentationFields } from '../../helpers/dicom-segmentation.ts';
+import type { Segmentation } from '../../helpers/dicom-segmentation.ts';
 import { decodeSeries } from '../../helpers/dicom-series.ts';
 import type { Scan } from '../../helpers/dicom-series.ts';
 import { startDicomWeb } from '../../helpers/dicomweb-server.ts';
@@ -23,6 +25,17 @@ const load = (url: string, environment: Partial<RequestEnvironment> = {}): Promi
     { url, limits: roomyLimits },
     { pageOrigin: new URL(url).origin, onProgress: () => undefined, ...environment },
   ) as Promise<Scan>;
+
+const fractional: Segmentation = {
+  ...overlapping,
+  type: 'FRACTIONAL',
+  frames: overlapping.frames.map((frame, i) => ({ ...frame, pixels: scatter(15, 201, 20 + i) })),
+};
+const labelMap: Segmentation = {
+  ...overlapping,
+  type: 'LABELMAP',
+  frames: [0, 1, 2].map((place) => ({ slice: place, pixels: scatter(15, 4, 30 + place) })),
+};
 
 /** Runs with a server, which ends with it. */
 async function withWeb<T>(
@@ -297,9 +310,33 @@ describe('a series in Orthanc', () => {
     await check([dicomBytes(of(2, fields))]);
   });
 
-  it('may be a segmentation', async () => {
-    const volume = await check([dicomBytes(of(3, segmentationFields(overlapping)))]);
-    expect(volume.named!.map(({ name }) => name)).to.deep.equal(['Liver', 'Spleen', 'Vessel']);
+  for (const [i, [what, made]] of Object.entries({
+    'of bits': overlapping,
+    'of shares': fractional,
+    'of numbers': labelMap,
+  }).entries()) {
+    it(`may be a segmentation ${what}`, async () => {
+      const volume = await check([dicomBytes(of(30 + i, segmentationFields(made)))]);
+      expect(volume.named!.map(({ name }) => name)).to.deep.equal(['Liver', 'Spleen', 'Vessel']);
+    });
+  }
+
+  it('may be a structure set', async () => {
+    const volume = await check([dicomBytes(of(4, structureSetFields(regions)))]);
+    expect(volume.named!.map(({ name }) => name)).to.deep.equal(['Body', 'Tube', 'Keyhole']);
+  });
+
+  it('of two segmentations is refused in words, and each is shown by its own address', async () => {
+    const files = [overlapping, fractional].map((made, i) =>
+      of(5, { ...segmentationFields(made), SOPInstanceUID: `1.2.66.${i}` }),
+    );
+    let url = '';
+    for (const fields of files) url = await orthanc!.upload(dicomBytes(fields));
+    const { code, message } = await expectError(load(url));
+    expect(code).to.equal('format/unsupported');
+    expect(message).to.match(/^file 1 of 2 is a segmentation: .* one file alone, .* by the address of its instance$/);
+    for (const fields of files)
+      await expectSame(await load(`${url}/instances/${fields.SOPInstanceUID as string}`), [dicomBytes(fields)]);
   });
 
   for (const path of [

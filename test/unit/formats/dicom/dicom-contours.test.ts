@@ -224,7 +224,7 @@ describe('structure sets of DICOM', () => {
     const planted: DicomFields = { PatientName: secret, SeriesDescription: secret, StudyInstanceUID: '1.2.77.4711' };
     const beside = await decodeFields([ctSlice(0), { ...structureSetFields(regions), ...planted }, ctSlice(5)]);
     expect(beside.left).to.deep.equal([
-      '1 file of 3: file 2 of 3 has contours (RTSTRUCT): they are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
+      '1 file of 3: file 2 of 3 has contours (RTSTRUCT): they are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan, one file alone, on a DICOMweb server by the address of its instance',
     ]);
     const alone = await read(regions, planted);
     expect(JSON.stringify({ ...alone, samples: null, macrocells: null })).not.to.match(/geheim|erna|4711/i);

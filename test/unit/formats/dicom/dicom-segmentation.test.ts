@@ -170,7 +170,7 @@ describe('segmentations of DICOM', () => {
     const { left, format } = await decodeFields([ctSlice(0), segmentationFields(overlapping), ctSlice(5)]);
     expect(format).to.equal('DICOM, CT');
     expect(left).to.deep.equal([
-      '1 file of 3: file 2 of 3 is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan',
+      '1 file of 3: file 2 of 3 is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan, one file alone, on a DICOMweb server by the address of its instance',
     ]);
   });
 
