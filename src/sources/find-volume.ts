@@ -84,6 +84,7 @@ export async function findVolume(
       kind = await sniffKind(store, url, start);
     }
     if (files.push({ url, kind }) % lookEvery === 0) onLook?.();
+    if (kind === 'slice' && starts.size === 0) loadAhead(start);
     if (kind === 'slice' && starts.size < maxStarts) starts.set(url, keepStart(read.value));
     const foreign = kind === 'other' ? findForeign(start) : null;
     if (foreign) other ??= { url, ...foreign };
@@ -104,6 +105,13 @@ export async function findVolume(
     case 'nothing':
       throw refuseAll(what, urls, other);
   }
+}
+
+/** The reader comes while the other files are looked at. */
+function loadAhead(start: FileStart): void {
+  const format: Format | null = findByBytes(start, everyFormat);
+  // If it can't be loaded, that is said where it is needed.
+  if (format && 'load' in format) format.load().catch(() => null);
 }
 
 /** In memory of its own: that of a group is not kept for one of its files. */

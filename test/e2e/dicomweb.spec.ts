@@ -1,5 +1,10 @@
 // A series on a DICOMweb server of another origin: with CORS, with a token by the property fetch, and without.
 import { ctSlice } from '../helpers/dicom-bytes.ts';
+import type { VolumeLabels } from '../../components/volume-labels/volume-labels.ts';
+import { structureSetFields } from '../helpers/dicom-contours.ts';
+import type { Point } from '../helpers/dicom-contours.ts';
+import { segment, segmentationFields } from '../helpers/dicom-segmentation.ts';
+import type { Segmentation } from '../helpers/dicom-segmentation.ts';
 import { startDicomWeb } from '../helpers/dicomweb-server.ts';
 import type { DicomWebServer, Faults } from '../helpers/dicomweb-server.ts';
 import { expect, keptTest as test, open, settle, withElement } from './helpers/harness.ts';
@@ -14,8 +19,26 @@ const start = async (faults: Faults): Promise<DicomWebServer> => {
 test.afterEach(async () => {
   await Promise.all(running.splice(0).map((server) => server.close()));
 });
-const view = (src = ''): string =>
-  `<main><h1>A series</h1><volume-view id="v" ${src} style="width: 60px; height: 45px" alt="A series" interaction="none"></volume-view></main>`;
+const view = (src = '', inside = ''): string =>
+  `<main><h1>A series</h1><volume-view id="v" ${src} style="width: 60px; height: 45px" alt="A series" interaction="none">${inside}</volume-view></main>`;
+
+/** Labels of the whole scan, with places of their own. */
+const block: Segmentation = {
+  type: 'BINARY',
+  columns: 4,
+  rows: 3,
+  frames: slices.map((_, k) => ({ slice: k, segment: 1, pixels: Array<number>(12).fill(1) })),
+  segments: [segment(1, 'Liver')],
+  orientation: [1, 0, 0, 0, 1, 0],
+  spacing: [0.75, 0.5, 1],
+  positionOf: (k) => [-10, -20, k],
+};
+const planes: readonly Point[][] = slices.map((_, k) => [
+  [-11, -21, k],
+  [-7, -21, k],
+  [-7, -17, k],
+  [-11, -17, k],
+]);
 const error = /the list of the DICOMweb series/;
 
 test('is shown where the server allows it', async ({ page }) => {
@@ -26,6 +49,24 @@ test('is shown where the server allows it', async ({ page }) => {
     await withElement(page, ({ volume }) => [volume!.dimensions, volume!.unit, volume!.source, volume!.format]),
   ).toEqual([[4, 3, 6], 'HU', { kind: 'DICOMweb', count: 6 }, 'DICOM, CT']);
 });
+
+for (const [what, fields] of [
+  ['a segmentation', segmentationFields(block)],
+  ['a structure set', structureSetFields([{ number: 1, name: 'Liver', contours: planes }])],
+] as const)
+  test(`has the labels of ${what} on such a server`, async ({ page }) => {
+    const scan = await start({ allowed: '*' });
+    const other = await startDicomWeb([{ fields }], { allowed: '*' });
+    running.push(other);
+    await open(page, view(`src="${scan.url}"`, `<volume-labels src="${other.url}"></volume-labels>`));
+    await settle(page);
+    const names = await page
+      .locator('volume-labels')
+      .evaluate((element) => (element as VolumeLabels).labels.map(({ name }) => name));
+    expect(names).toEqual(['Liver']);
+    const pick = await withElement(page, (one) => one.pick(one.clientWidth / 2, one.clientHeight / 2));
+    expect(pick?.labelName).toBe('Liver');
+  });
 
 test.describe('behind a token', () => {
   test.use({ allowedLines: /401|Failed to load resource/ });
