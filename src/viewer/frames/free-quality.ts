@@ -1,7 +1,7 @@
 // What `detail="free"` leaves out of a picture at rest: steps, and rays. Only such pages load it.
 import type { Pixels } from '../../optics/rays/between-pixels.ts';
 import type { PixelLattice } from '../../optics/rays/rays.ts';
-import { cutsOfCoarse, listCoarseLevels } from '../../quality/coarse-levels.ts';
+import { cutNowhere, findFirst, listCoarseLevels, uncut } from '../../quality/coarse-levels.ts';
 import type { ErrorEstimate } from '../../quality/error-estimate.ts';
 import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { PixelRectangle } from '../../quality/place-probes.ts';
@@ -41,20 +41,33 @@ function placeTiles({ left, bottom, width, height }: PixelRectangle): PixelLatti
   );
 }
 
+/** The page is blocked for about this long at a time, ms: it says when the page may work, not what is drawn. */
+const blockedMs = 8;
+
 /** Parts of a level's picture with all rays, as bytes; none where the device can't draw them. */
 function* drawTiles(probe: ErrorProbe, level: Level): Waiting<Pixels[]> {
   const tiles: Pixels[] = [];
+  let began = performance.now();
   for (const lattice of probe.rectangle ? placeTiles(probe.rectangle) : []) {
-    const colors = yield* probe.drawPart(lattice, level);
+    const colors = probe.drawPart(lattice, level);
     if (!colors) return [];
     const { width, height } = lattice;
     tiles.push({ data: Uint8Array.from(colors, (x) => Math.round(255 * Math.min(1, Math.max(0, x)))), width, height });
+    if (performance.now() - began < blockedMs) continue;
+    yield;
+    began = performance.now();
   }
   return tiles;
 }
 
 /** Steps alone may leave this share of `max-error`: the rest is for pixels without rays. */
 const shareOfSteps = 0.75;
+
+/**
+ * Coarse levels are compared with one and two uncut steps per voxel, where these differ by no more than this share of `max-error`: what
+ * finer pictures would add is little of it.
+ */
+const shareOfReference = 1 / 3;
 
 /** A view, and how its levels are chosen where nothing small may be lost. */
 interface UsualQuality {
@@ -75,18 +88,32 @@ interface Measured {
   readonly probe: ErrorProbe;
 }
 
-/** The first level with samples in only some voxels that keeps the error; null where none does, or the view is no longer needed. */
+/** The level with the fewest steps that keeps the error, no more than one per voxel; null where none does, or the view is no longer needed. */
 async function chooseCoarse(
-  { view, asked, cuts }: UsualQuality,
-  { chooseLevel, ErrorProbe }: MeasuringTools,
+  { view, asked: { maxError } }: UsualQuality,
+  { ErrorProbe, keptError }: MeasuringTools,
 ): Promise<Measured | null> {
   const { scene, grid, size, goesOn } = view;
-  const probe = new ErrorProbe(scene, { grid, size, cuts: cutsOfCoarse(cuts) });
-  const measure = async (level: Level): Promise<ErrorEstimate | null> =>
-    (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
-  const levels = scene.walksVoxels ? [] : listCoarseLevels(autoSteps(grid));
-  const choice = levels.length > 0 ? await chooseLevel(levels, measure, shareOfSteps * asked.maxError) : null;
-  return choice?.isKept ? { ...choice, probe } : null;
+  if (scene.walksVoxels) return null;
+  const probe = new ErrorProbe(scene, { grid, size, cuts: cutNowhere });
+  const estimate = async (level: Level, finer?: readonly number[]): Promise<ErrorEstimate | null> => {
+    const compared = finer && {
+      isEven: false,
+      pictures: [level.steps, ...finer].map((steps) => [steps, uncut] as const),
+    };
+    return (await probe.prepare(level, goesOn, compared)) ? probe.estimate(level, compared) : null;
+  };
+  const one = autoSteps(grid);
+  const reference = await estimate({ steps: one, substeps: 1 }, [2 * one, 2 * one]);
+  // Rounding to 8 bits is no error of a reference.
+  const differs = reference && keptError({ ...reference, rms: reference.discretization });
+  if (differs === null || differs > shareOfReference * maxError) return null;
+  const found = await findFirst(
+    listCoarseLevels(one),
+    (level) => estimate(level, level.steps < one ? [one, 2 * one] : undefined),
+    (measured) => keptError(measured) <= shareOfSteps * maxError,
+  );
+  return found && { level: found.level, estimate: found.measured, probe };
 }
 
 /**

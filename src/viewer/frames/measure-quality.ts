@@ -110,6 +110,13 @@ export interface ProbedView {
   readonly cuts: LevelCuts;
 }
 
+/** Pictures of a level: its own one, and two finer ones. */
+export interface Comparison {
+  /** Whether each has half the step of the one before. */
+  readonly isEven: boolean;
+  readonly pictures: readonly (readonly [steps: number, cut: Substeps])[];
+}
+
 /** Probes rays of the last view to measure the error of a level; it probes each level once. */
 export class ErrorProbe {
   readonly #pictures = new Map<string, Float32Array | null>();
@@ -140,10 +147,9 @@ export class ErrorProbe {
 
   /**
    * The error of a level: its picture is compared with pictures of half and a quarter of its step length, and at most half a
-   * voxel, whose steps are cut in the same way. null where the device can't measure it.
+   * voxel, whose steps are cut in the same way; or with those that are given. null where the device can't measure it.
    */
-  estimate(level: Level): ErrorEstimate | null {
-    const { isEven, pictures } = this.#plan(level);
+  estimate(level: Level, { isEven, pictures }: Comparison = this.#plan(level)): ErrorEstimate | null {
     const [shown, middle, fine] = pictures.map((picture) => atOnce(this.#probe(...picture)));
     return shown && middle && fine && estimateError({ shown, middle, fine, isEven, isRare: this.#isRare });
   }
@@ -152,8 +158,8 @@ export class ErrorProbe {
    * Draw the pictures that `estimate` compares, and leave the page time in between.
    * @returns whether the view is still needed
    */
-  async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null;
+  async prepare(level: Level, goesOn: () => boolean, compared = this.#plan(level)): Promise<boolean> {
+    return (await aside(this.#drawAll(compared), this.scene, goesOn)) !== null;
   }
 
   /** The same for the pictures that `distance` compares. */
@@ -161,17 +167,16 @@ export class ErrorProbe {
     return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
   }
 
-  /** Some pixels of a level's picture, in floats; null where the device can't draw them. */
-  drawPart(lattice: PixelLattice, level: Level): Waiting<Float32Array | null> {
-    return this.#drawAt([lattice], level.steps, this.view.cuts.own(level));
+  /** Some pixels of a level's picture, in floats, at once; null where the device can't draw them. */
+  drawPart(lattice: PixelLattice, level: Level): Float32Array | null {
+    return atOnce(this.#drawAt([lattice], level.steps, this.view.cuts.own(level)));
   }
 
   *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {
     for (const one of steps) yield* this.#pair(one, level);
   }
 
-  *#drawAll(level: Level): Waiting<void> {
-    const { pictures } = this.#plan(level);
+  *#drawAll({ pictures }: Comparison): Waiting<void> {
     const [[steps, cut]] = pictures;
     yield* findCells(this.scene, cut, () =>
       this.scene.startProbe({ stepLength: stepLengthOf(this.grid, steps) }, onePixel, this.view.size),
@@ -207,7 +212,7 @@ export class ErrorProbe {
   }
 
   /** A level's own picture, and those with half and a quarter of its step length: the number of steps, and how they are cut. */
-  #plan(level: Level): { isEven: boolean; pictures: (readonly [steps: number, cut: Substeps])[] } {
+  #plan(level: Level): Comparison {
     const { grid, cuts } = this.view;
     const one = autoSteps(grid);
     const isEven = level.steps >= one;

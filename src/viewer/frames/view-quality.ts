@@ -70,7 +70,6 @@ export class ViewQuality {
    */
   async choose(): Promise<ChosenLevel | null> {
     if (!this.asked.isFree) return this.chooseUsual();
-    await loadSubsteps(); // As in `measure`.
     return (await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')).chooseFree(this, measuringTools);
   }
 

@@ -7,7 +7,7 @@ import type { ErrorEstimate } from '../../../src/quality/error-estimate.ts';
 import { workOfFrame } from '../../../src/quality/frame-quality.ts';
 import { errorOfFrame, chooseFrameQuality } from '../../../src/quality/choose-frame-quality.ts';
 import type { ErrorModel, FrameQuality } from '../../../src/quality/frame-quality.ts';
-import { cutsOfCoarse } from '../../../src/quality/coarse-levels.ts';
+import { cutNowhere, findFirst, listCoarseLevels } from '../../../src/quality/coarse-levels.ts';
 import { cutsOfLevels, cutSteps, listLevels } from '../../../src/quality/levels.ts';
 import { powerOfSteps } from '../../../src/optics/transfer/power-of-steps.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf, voxelsAlong } from '../../../src/quality/steps.ts';
@@ -249,13 +249,38 @@ describe('steps', () => {
     expect(auto.own(level)).to.deep.equal(cutSteps(level, 100, 4));
     expect(auto.reference(level)).to.deep.equal(auto.own(level));
     expect(cutsOfLevels(100, 0.5).own(level).mayLose).to.be.below(auto.own(level).mayLose);
-    const free = cutsOfCoarse(auto);
     const few = { steps: 50, substeps: 1 };
-    expect(powerOfSteps(free.own(few).voxelsPerStep) + 3, 'the power of the finest code').to.be.below(0);
-    expect(free.reference(few)).to.deep.equal(auto.reference(few));
+    expect(powerOfSteps(cutNowhere.own(few).voxelsPerStep) + 3, 'the power of the finest code').to.be.below(0);
+    expect(cutNowhere.own(few).findDetail, 'cells whose detail is needed').to.equal(undefined);
     const given = cutsOfLevels(100, null);
     expect(given.own(level)).to.deep.equal({ ...allSubsteps, max: 2 });
     expect(given.reference(level)).to.deep.equal(cutSteps(level, 100, 1));
+  });
+});
+
+describe('levels where small things may be lost', () => {
+  it('are found by halves: the first that passes, with at most three of seven measured', async () => {
+    const levels = listCoarseLevels(360);
+    for (const [first, { steps }] of [...levels.entries(), [7, { steps: Infinity }] as const]) {
+      const measured: number[] = [];
+      const found = await findFirst(
+        levels,
+        async (level) => (measured.push(level.steps), level.steps),
+        (n) => n >= steps,
+      );
+      expect(found, `the first is ${first}`).to.deep.equal(
+        first < 7 ? { level: levels[first], measured: levels[first].steps } : null,
+      );
+      expect(measured.length).to.be.at.most(3);
+    }
+    expect(
+      await findFirst(
+        levels,
+        async () => null,
+        () => true,
+      ),
+      'no longer needed',
+    ).to.equal(null);
   });
 });
 

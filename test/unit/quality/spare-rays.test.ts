@@ -74,11 +74,11 @@ describe('the rays that a picture at rest spares', () => {
   });
 });
 
-describe('levels with fewer steps than voxels', () => {
-  it('come in order, and have at least 30 steps', () => {
+describe('levels with no more steps than voxels', () => {
+  it('come in order, and have at least 30 steps, but one per voxel', () => {
     const steps = listCoarseLevels(300).map((level) => level.steps);
-    expect(steps).to.deep.equal([38, 50, 75, 100, 150, 213]);
-    expect(listCoarseLevels(60).map((level) => level.steps)).to.deep.equal([30, 43]);
-    expect(listCoarseLevels(20)).to.deep.equal([]);
+    expect(steps).to.deep.equal([38, 50, 75, 100, 150, 213, 300]);
+    expect(listCoarseLevels(60).map((level) => level.steps)).to.deep.equal([30, 43, 60]);
+    expect(listCoarseLevels(20)).to.deep.equal([{ steps: 20, substeps: 1 }]);
   });
 });
