@@ -15,6 +15,9 @@ const lastingBytes = 2 ** 21;
 
 /** Draws frames: each with the steps, pixels and rays that the quality control chooses. The control learns from each frame. */
 export class FrameDrawing {
+  /** Whether the frame in progress, or the last one, has shown the final picture. What is measured for pictures in motion comes after it. */
+  isFinal = false;
+
   /**
    * @param host - the element, whose size the picture has
    * @param notify - called with the facts about each frame
@@ -29,6 +32,7 @@ export class FrameDrawing {
   /** Draw the next frame. @returns whether another must follow, because this one is not final */
   async drawFrame(time: number): Promise<boolean> {
     const { controller, loop, shown } = this.pictures.parts;
+    this.isFinal = false;
     await this.quality.prepare();
     const { volume } = shown;
     if (!volume) return false;
@@ -107,15 +111,17 @@ export class FrameDrawing {
 
   /** Report the picture that was drawn, together with its measured error. */
   #notify(drawn: RenderStats): RenderStats {
-    const converged = this.#isFinal(drawn);
+    const converged = this.#converges(drawn);
     const error = converged ? this.quality.error : null;
     // A picture that shows nothing keeps no error target.
     const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
     this.notify(stats);
+    this.isFinal = converged;
+    this.pictures.parts.loop.wake();
     return stats;
   }
 
-  #isFinal({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
+  #converges({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
     const { controller, loop, shown } = this.pictures.parts;
     if (!controller.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided)
       return false;

@@ -266,7 +266,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
   /** Resolves when the picture is final: all steps, nothing moves, nothing has changed since. */
   async settled(): Promise<void> {
     await this.controller.scene?.othersReady();
-    await this.loop.settled();
+    await this.loop.settled(() => this.frames.isFinal && !this.loop.dirty && !this.moving);
   }
 
   /** Draw one frame at once and wait for the GPU. */

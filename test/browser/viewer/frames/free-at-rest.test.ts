@@ -84,6 +84,36 @@ describe('detail="free"', () => {
   });
 });
 
+describe('whenRendered', () => {
+  it('does not wait for what is learnt of the final picture for those in motion', async function () {
+    this.timeout(60_000);
+    // A picture that took no longer than a frame may is the plan of those in motion too: here it takes longer.
+    const setup = await brain({ 'target-fps': '120' });
+    const element = placeElement(setup);
+    await takeAtRest(element, setup.pixels);
+    let shown = 0;
+    element.addEventListener('render', () => shown++);
+    element.setAttribute('camera-orbit', '40deg 70deg auto');
+    await element.whenRendered();
+    expect(element.renderStats!.converged).to.equal(true);
+    expect(shown, 'pictures of the new view').to.be.above(0);
+    let reads = 0;
+    const { prototype } = WebGL2RenderingContext;
+    const { readPixels } = prototype;
+    prototype.readPixels = function (this: WebGL2RenderingContext, ...all: unknown[]) {
+      reads++;
+      return Reflect.apply(readPixels, this, all);
+    } as typeof readPixels;
+    try {
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+    } finally {
+      prototype.readPixels = readPixels;
+    }
+    expect(reads, 'what is read afterwards').to.be.above(0);
+    element.remove();
+  });
+});
+
 describe('rays that are spared', () => {
   it('leave the same picture on the GPU as in its forecast', async () => {
     const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!;
