@@ -84,6 +84,7 @@ describe('next to a volume', () => {
     const work: Promise<unknown>[] = [];
     const presenter = {
       host,
+      settings: { source: null },
       look: { attachmentsChanged: () => {} },
       awake: true,
       errors: new ErrorState({ file: '', changed: () => {}, failed: () => {} }),
