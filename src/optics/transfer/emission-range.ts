@@ -34,28 +34,15 @@ interface Channel {
   readonly highest: Extremes;
 }
 
-/** Of each transfer function that was prepared for its emission. */
-const prepared = new WeakMap<TransferFunction, EmissionRange>();
-
 /**
- * Prepares a transfer function.
+ * Prepares a transfer function. Pages need this for each look, before the browser has optimised it: so it has loops, and makes no lists for a
+ * single window. What it learns takes up to 10 MB: keep it no longer than it is asked.
  * @param transferFunction - already brightened
  * @param emission - measured instead of the emission, for instance the visible effect of a length
  */
 export function rangeEmission(
   transferFunction: TransferFunction,
   emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf,
-): EmissionRange {
-  if (emission !== emissionOf) return prepareRange(transferFunction, emission);
-  const range = prepared.get(transferFunction) ?? prepareRange(transferFunction, emission);
-  prepared.set(transferFunction, range);
-  return range;
-}
-
-/** Pages need this once for each look, before the browser has optimised it: loops, and no lists that are made for one window. */
-function prepareRange(
-  transferFunction: TransferFunction,
-  emission: (transferFunction: TransferFunction, value: number) => Premultiplied,
 ): EmissionRange {
   const [low, high] = domainOf(transferFunction);
   // A bin's width may be too small for a float, so divide first.
@@ -175,7 +162,7 @@ class Windows {
 
   /** All windows with this number of bins; the one from `first` to `last` has been measured. */
   with(first: number, last: number): Float64Array {
-    const known = (this.#known[last - first] ??= new Float64Array(bins * this.numbers).fill(NaN));
+    const known = (this.#known[last - first] ??= new Float64Array((bins - (last - first)) * this.numbers).fill(NaN));
     const at = first * this.numbers;
     if (Number.isNaN(known[at])) this.measure(first, last, known, at);
     return known;
