@@ -11,6 +11,9 @@ const beginning = /\b(?:void|float|int|bool|[bi]?vec[234]|mat[234]|[A-Z]\w*) (?!
 const shortNames = 'abcdefghijklmnopqrstuvwxyz'
   .split('')
   .flatMap((letter, _, all) => [letter, ...all.map((next) => letter + next)]);
+/** Words of the language are no names. */
+const words = new Set(['do', 'if', 'in']);
+
 shortNames.sort((a, b) => a.length - b.length);
 
 /**
@@ -39,7 +42,7 @@ function findEnd(text, start) {
 function shortenFunction(text) {
   const used = new Set(text.match(/\b[a-z_]\w*/gi));
   const declared = new Set(Array.from(text.matchAll(declaration), ([, name]) => name));
-  const free = shortNames.filter((name) => !used.has(name));
+  const free = shortNames.filter((name) => !used.has(name) && !words.has(name));
   /** @type {Map<string, string>} */
   const names = new Map();
   for (const name of declared) {
