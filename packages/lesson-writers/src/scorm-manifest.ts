@@ -20,7 +20,6 @@ export function writeManifest(lesson: Lesson, paths: readonly string[], options:
 }
 
 function writeFirst(lesson: Lesson, paths: readonly string[], { pass, id }: ManifestOptions): string {
-  const title = escapeMarkup(lesson.title);
   const text = (words: string): string =>
     `<imsmd:langstring xml:lang="${escapeMarkup(lesson.language)}">${escapeMarkup(words)}</imsmd:langstring>`;
   const word = (name: string, value: string): string =>
@@ -46,25 +45,12 @@ function writeFirst(lesson: Lesson, paths: readonly string[], { pass, id }: Mani
       </imsmd:rights>
     </imsmd:lom>
   </metadata>
-  <organizations default="lesson">
-    <organization identifier="lesson">
-      <title>${title}</title>
-      <item identifier="item" identifierref="page">
-        <title>${title}</title>${score}
-      </item>
-    </organization>
-  </organizations>
-  <resources>
-    <resource identifier="page" type="webcontent" adlcp:scormtype="sco" href="index.html">
-${listFiles(paths)}
-    </resource>
-  </resources>
+${listContent(lesson, paths, { scormType: 'adlcp:scormtype', rules: score })}
 </manifest>
 `;
 }
 
 function writeSecond(lesson: Lesson, paths: readonly string[], { pass, id }: ManifestOptions): string {
-  const title = escapeMarkup(lesson.title);
   const text = (words: string): string =>
     `<lom:string language="${escapeMarkup(lesson.language)}">${escapeMarkup(words)}</lom:string>`;
   const objective =
@@ -76,6 +62,10 @@ function writeSecond(lesson: Lesson, paths: readonly string[], { pass, id }: Man
               <imsss:minNormalizedMeasure>${pass / 100}</imsss:minNormalizedMeasure>
             </imsss:primaryObjective>
           </imsss:objectives>`;
+  const sequencing = `
+        <imsss:sequencing>${objective}
+          <imsss:deliveryControls completionSetByContent="true" objectiveSetByContent="true"/>
+        </imsss:sequencing>`;
   return `<?xml version="1.0" encoding="UTF-8"?>
 <manifest identifier="${id}" version="1"
   xmlns="http://www.imsglobal.org/xsd/imscp_v1p1"
@@ -97,24 +87,34 @@ function writeSecond(lesson: Lesson, paths: readonly string[], { pass, id }: Man
       </lom:rights>
     </lom:lom>
   </metadata>
-  <organizations default="lesson">
+${listContent(lesson, paths, { scormType: 'adlcp:scormType', rules: sequencing })}
+</manifest>
+`;
+}
+
+/**
+ * One activity, which is the page with all files.
+ * @param how - how this version writes the name of the attribute, and the elements after the activity's title
+ */
+function listContent(
+  { title }: Lesson,
+  paths: readonly string[],
+  { scormType, rules }: { readonly scormType: string; readonly rules: string },
+): string {
+  const name = escapeMarkup(title);
+  return `  <organizations default="lesson">
     <organization identifier="lesson">
-      <title>${title}</title>
+      <title>${name}</title>
       <item identifier="item" identifierref="page">
-        <title>${title}</title>
-        <imsss:sequencing>${objective}
-          <imsss:deliveryControls completionSetByContent="true" objectiveSetByContent="true"/>
-        </imsss:sequencing>
+        <title>${name}</title>${rules}
       </item>
     </organization>
   </organizations>
   <resources>
-    <resource identifier="page" type="webcontent" adlcp:scormType="sco" href="index.html">
+    <resource identifier="page" type="webcontent" ${scormType}="sco" href="index.html">
 ${listFiles(paths)}
     </resource>
-  </resources>
-</manifest>
-`;
+  </resources>`;
 }
 
 /** Their addresses, relative to the manifest. */
