@@ -3,6 +3,7 @@ export type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 export { listManifestFiles } from './manifest-files.ts';
 export { readLesson } from './read-lesson.ts';
 export type { LessonContent } from './read-lesson.ts';
+export { escapeMarkup } from './write-html.ts';
 export { writePageFiles } from './write-page.ts';
 export { writeScormFiles } from './write-scorm.ts';
 export type { ScormOptions } from './write-scorm.ts';

@@ -1,7 +1,5 @@
+import { escapeMarkup } from '../../lesson-writers/src/index.ts';
 import type { DoneLine } from './job.ts';
-
-const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
-const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entities[sign]);
 
 /** The script of the element; it lies next to index.html. */
 export const scriptName = 'volume-view.iife.js';
@@ -16,7 +14,7 @@ const head = (title: string, more = ''): string => `<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
-<title>${escape(title)}</title>
+<title>${escapeMarkup(title)}</title>
 <style>
   :root { color-scheme: light dark }
   body { margin: 1.5rem auto; max-width: 70rem; padding: 0 1rem; font: 1rem/1.5 system-ui, sans-serif }
@@ -33,9 +31,9 @@ export function altOf({ format, dimensions, unit }: Pick<DoneLine, 'format' | 'd
 export function writeScanPage(line: Omit<DoneLine, 'page'>, src: string, hasPoster: boolean): string {
   const { title } = line;
   const poster = hasPoster ? ' poster="poster.png"' : '';
-  return `${head(title, 'volume-view { width: 100%; height: min(75vh, 44rem) }')}<h1>${escape(title)}</h1>
-<volume-view controls alt="${escape(altOf(line))}" src="${escape(src)}"${poster}></volume-view>
-<p>${escape(describe(line))}</p>
+  return `${head(title, 'volume-view { width: 100%; height: min(75vh, 44rem) }')}<h1>${escapeMarkup(title)}</h1>
+<volume-view controls alt="${escapeMarkup(altOf(line))}" src="${escapeMarkup(src)}"${poster}></volume-view>
+<p>${escapeMarkup(describe(line))}</p>
 <p><a href="../index.html">All scans</a></p>
 <script src="../${scriptName}"></script>
 </html>
@@ -46,10 +44,10 @@ export function writeScanPage(line: Omit<DoneLine, 'page'>, src: string, hasPost
 export function writeSeriesPage(lines: readonly Omit<DoneLine, 'page'>[], src: string, hasPoster: boolean): string {
   const [first] = lines;
   const poster = hasPoster ? ' poster="poster.png"' : '';
-  return `${head(first.title, 'volume-view { width: 100%; height: min(70vh, 44rem) }')}<h1>${escape(first.title)}</h1>
-<volume-view id="view" controls alt="${escape(altOf(first))}" src="${escape(src)}"${poster}></volume-view>
+  return `${head(first.title, 'volume-view { width: 100%; height: min(70vh, 44rem) }')}<h1>${escapeMarkup(first.title)}</h1>
+<volume-view id="view" controls alt="${escapeMarkup(altOf(first))}" src="${escapeMarkup(src)}"${poster}></volume-view>
 <volume-timeline for="view"></volume-timeline>
-<p>${escape(describeSeries(lines))}</p>
+<p>${escapeMarkup(describeSeries(lines))}</p>
 <p><a href="../index.html">All scans</a></p>
 <script src="../${scriptName}"></script>
 </html>
@@ -67,8 +65,8 @@ export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boo
     ([
       page,
       [line, ...more],
-    ]) => `  <li><a href="${escape(page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
-    <strong>${escape(line.title)}</strong></a><br>${escape(more.length > 0 ? describeSeries([line, ...more]) : describe(line))}</li>`,
+    ]) => `  <li><a href="${escapeMarkup(page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
+    <strong>${escapeMarkup(line.title)}</strong></a><br>${escapeMarkup(more.length > 0 ? describeSeries([line, ...more]) : describe(line))}</li>`,
   );
   return `${head(
     'Scans',

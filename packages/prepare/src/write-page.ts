@@ -1,8 +1,7 @@
+import { escapeMarkup } from '../../lesson-writers/src/index.ts';
+
 /** Maximum number of bytes of a file in a page: some browsers open no larger pages. */
 export const maxPageBytes = 64 * 2 ** 20;
-
-const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
-const escape = (text: string): string => text.replace(/[&<>"]/g, (sign) => entities[sign]);
 
 /**
  * Write a page that contains a volume and works from disk, in the same folder as `volume-view.iife.js`.
@@ -21,9 +20,9 @@ export function writePage(bytes: Uint8Array, alt: string): string {
 <html lang="en">
   <meta charset="utf-8">
   <meta name="viewport" content="width=device-width">
-  <title>${escape(alt)}</title>
+  <title>${escapeMarkup(alt)}</title>
   <script src="volume-view.iife.js"></script>
-  <volume-view controls alt="${escape(alt)}" src="${url}"></volume-view>
+  <volume-view controls alt="${escapeMarkup(alt)}" src="${url}"></volume-view>
 </html>
 `;
 }
