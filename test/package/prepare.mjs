@@ -46,10 +46,16 @@ await check('npm pack takes what the program needs, and no source', () => {
   const [pack] = Object.values(JSON.parse(npm.stdout));
   const paths = pack.files.map((/** @type {{ path: string }} */ { path }) => path);
   assert.deepEqual(
-    paths.filter((/** @type {string} */ path) => !/^(dist\/|package\.json$|README\.md$|LICENSE$)/.test(path)),
+    paths.filter((/** @type {string} */ path) => !/^(bin\/|dist\/|package\.json$|README\.md$|LICENSE$)/.test(path)),
     [],
   );
-  for (const path of ['dist/index.js', 'dist/volume-view-prepare.js', 'README.md', 'LICENSE'])
+  for (const path of [
+    'dist/index.js',
+    'dist/volume-view-prepare.js',
+    'bin/volume-view-prepare.js',
+    'README.md',
+    'LICENSE',
+  ])
     assert.ok(paths.includes(path), path);
   assert.equal(
     spawnSync('tar', ['-xzf', join(consumer, pack.filename), '-C', installed, '--strip-components=1']).status,
@@ -58,6 +64,16 @@ await check('npm pack takes what the program needs, and no source', () => {
   for (const name of Object.keys(JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).dependencies))
     linkDependency(name);
   return `${pack.size} bytes`;
+});
+
+await check('in a checkout that is installed, then built, npx finds the program', () => {
+  const npx = spawnSync('npx', ['--no-install', 'volume-view-prepare', '--help'], {
+    cwd: projectRoot,
+    encoding: 'utf8',
+    shell: process.platform === 'win32',
+  });
+  assert.equal(npx.status, 0, npx.stderr);
+  assert.match(npx.stdout, /^volume-view-prepare FILE/);
 });
 
 /** A dependency, and what that one needs, from this checkout. @param {string} name */

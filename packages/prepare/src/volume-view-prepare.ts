@@ -14,7 +14,7 @@ import { maxPageBytes, writePage } from './write-page.ts';
 import { version } from '../package.json';
 
 const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAME]
-    one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II) as NAME.png and its manifest NAME.json
+    one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
 volume-view-prepare LESSON.html [--as page | scorm | scorm-2004] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
