@@ -40,6 +40,13 @@ export function provideBuilt(modules) {
   };
 }
 
+/** The name of a module that the build makes, like `built:worker`; other names for other modules. @param {string} id - its path */
+export const nameBuilt = (id) =>
+  id
+    .slice(join(projectRoot, 'src', '/').length)
+    .replace('/', ':')
+    .replace(/\.js$/, '');
+
 /** @param {string} name - of a module that the build makes */
 const pathOf = (name) => join(projectRoot, 'src', `${name.replace(':', '/')}.js`);
 

@@ -255,10 +255,13 @@ function replaceServed() {
 process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
-const workers = {
-  'built:worker': exportText(await buildText(worker, 'iife', ['as-text', 'without-codecs'])),
-  'built:whole-worker': exportText(await buildText(worker, 'iife', ['as-text'])),
+/** The worker without rare readers, with all, and with large libraries too. */
+const workerTexts = {
+  'built:usual-worker': await buildText(worker, 'iife', ['as-text', 'without-codecs', 'usual-files']),
+  'built:worker': await buildText(worker, 'iife', ['as-text', 'without-codecs']),
+  'built:whole-worker': await buildText(worker, 'iife', ['as-text']),
 };
+const workers = Object.fromEntries(Object.entries(workerTexts).map(([name, text]) => [name, exportText(text)]));
 await buildUnbundled(workers);
 await bundle({
   entry: main,
@@ -286,15 +289,12 @@ await bundle({
     codeSplitting: { groups: [atOnce, gridSamples] },
   },
 });
-await writeClassic(dist, async (output) => {
+await writeClassic(dist, workerTexts, async (output) => {
   const result = await bundle({
     entry: join(projectRoot, 'src/classic.ts'),
     format: 'cjs',
     conditions: ['classic'],
-    built: {
-      ...workers,
-      'built:usual-worker': exportText(await buildText(worker, 'iife', ['as-text', 'without-codecs', 'usual-files'])),
-    },
+    built: workers,
     output: { ...output, ...AT_ONCE },
     extra: { write: false },
   });

@@ -4,14 +4,16 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { minifySync } from 'vite';
 import { projectRoot } from '../shared-data.mjs';
+import { nameBuilt } from '../build-plugins.mjs';
 import { escapeToAscii } from '../strip-sources.mjs';
 
 /**
  * @param {string} dist - the folder for the files
+ * @param {Readonly<Record<string, string>>} workers - texts of workers, by the modules that have them, in the order in which a page tries them
  * @param {(output: import('vite').Rolldown.OutputOptions) => Promise<readonly import('vite').Rolldown.OutputChunk[]>} bundle - builds
  * src/classic.ts as CommonJS, with these options
  */
-export async function writeClassic(dist, bundle) {
+export async function writeClassic(dist, workers, bundle) {
   /** The number of each part, by its modules. The bundler asks for a name more than once. @type {Map<string, number>} */
   const numbers = new Map();
   const numberOf = (/** @type {readonly string[]} */ moduleIds) => {
@@ -29,13 +31,18 @@ export async function writeClassic(dist, bundle) {
     .slice(0, 8);
   for (const chunk of chunks.filter(({ isEntry }) => !isEntry)) {
     const key = `${chunk.fileName}-${version}`;
-    const text = `(globalThis.volumeViewParts??={})["${key}"]=${writeFactory(chunk)};`;
+    const worker = chunk.moduleIds.map(nameBuilt).find((name) => name in workers);
+    const text = worker === undefined ? writePart(key, writeFactory(chunk)) : writeWorker(key, workers[worker]);
     writeFileSync(join(dist, `classic/${key}.js`), minify(text));
   }
   const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8');
   const [entry] = chunks.filter(({ isEntry }) => isEntry);
+  const workerParts = Object.keys(workers).map((name) => {
+    const { fileName } = chunks.find(({ moduleIds }) => moduleIds.map(nameBuilt).includes(name)) ?? entry;
+    return `"classic/${fileName}-${version}.js"`;
+  });
   const text = `var VolumeView=function(){"use strict";
-const VERSION="${version}",PART_NEEDS=${listNeeds(chunks, entry.fileName)};
+const VERSION="${version}",PART_NEEDS=${listNeeds(chunks, entry.fileName)},WORKER_PARTS=[${workerParts.join()}];
 ${loader}
 run(0,${writeFactory(entry)});
 return modules[0].VolumeView}();
@@ -49,6 +56,16 @@ function minify(text) {
   if (errors.length > 0) throw new Error(`the classic script cannot be read: ${errors[0].message}`);
   return `${escapeToAscii(code)}\n`;
 }
+
+/** The script of a part. @param {string} key @param {string} factory */
+const writePart = (key, factory) => `(globalThis.volumeViewParts??={})["${key}"]=${factory};`;
+
+/**
+ * The script of a part that has the text of a worker. The same file is the worker, where a page may start one from a file.
+ * @param {string} key @param {string} text
+ */
+const writeWorker = (key, text) =>
+  `{const w=function(){${text}};${writePart(key, 'function(r,e){e.text="("+w+")()"}')}self.document||w()}`;
 
 /** A part as a function, with what CommonJS defines in a file. @param {import('vite').Rolldown.OutputChunk} chunk */
 function writeFactory({ code }) {

@@ -1,5 +1,5 @@
 import { trust } from '../core/trust.ts';
-import { createWorker } from '#create-worker';
+import { findWorkers } from '#find-workers';
 import { isTextSurer, listWorkerTexts } from '#worker-texts';
 import { takeWorker } from './spare-worker.ts';
 import type { LiveWorker } from './spare-worker.ts';
@@ -11,10 +11,17 @@ import type { LiveWorker } from './spare-worker.ts';
  * @param dataUrl - URL of the file that the worker will read
  */
 export function listWorkerStarts(dataUrl: string): readonly (() => Promise<LiveWorker>)[] {
-  const [url, options] = findWorker();
+  const workers = findWorkers(dataUrl);
+  const [[url, options] = []] = workers;
   const href = url?.href;
   const isOwn = url?.origin === origin;
-  const starts = isOwn ? [() => takeWorker(href, () => new Worker(trust(href!, 'createScriptURL'), options))] : [];
+  const starts = isOwn
+    ? workers.map(
+        ([own]) =>
+          () =>
+            takeWorker(own!.href, () => new Worker(trust(own!.href, 'createScriptURL'), options)),
+      )
+    : [];
   // Two builds carry the worker's text: the classic script, which may be a page's only file, or have no file that a
   // worker may load; and the modules for bundlers, some of which leave the worker's file out.
   const texts = listWorkerTexts(dataUrl).map((load) => () => takeWorker(load, async () => startFromText(await load())));
@@ -40,26 +47,4 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
     release();
     throw error;
   }
-}
-
-/**
- * Finds the URL and the kind of the worker's script. Bundlers look for exactly `new Worker(new URL(…))` and insert the
- * right address there, and some change it to a classic script without saying so. So the expression runs once with a
- * stand-in for Worker, which keeps its arguments and starts nothing.
- */
-function findWorker(): [url?: URL, options?: WorkerOptions] {
-  const native = globalThis.Worker;
-  let found: [URL?, WorkerOptions?] = [];
-  function Recorder(url: string | URL, options?: WorkerOptions): void {
-    found = [new URL(url, location.href), options];
-  }
-  try {
-    globalThis.Worker = Recorder as unknown as typeof Worker;
-    createWorker();
-  } catch {
-    // Without an address there is no worker: the main thread does the work.
-  } finally {
-    globalThis.Worker = native;
-  }
-  return found;
 }

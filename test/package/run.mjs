@@ -389,14 +389,13 @@ await check(
       location: { href: 'http://localhost/' },
       origin: 'http://localhost',
     });
-    runInContext(part ?? '', world);
-    /** @type {{ text: string }} */
-    const { text } = runInContext('const own = {}; Object.values(volumeViewParts)[0](() => own, own); own', world);
     const reported = new Promise((resolve) => {
       world.postMessage = (/** @type {{ type: string }} */ message) =>
         ['ready', 'progress'].includes(message.type) || resolve(message);
     });
-    runInContext(text, world);
+    // Where there is no document the part is the worker.
+    world.self = world;
+    runInContext(part ?? '', world);
     const url = `data:application/octet-stream;base64,${readFileSync(join(projectRoot, 'test/fixtures/nifti/v1-le-i2.nii')).toString('base64')}`;
     world.onmessage({ data: { request: { url }, pageOrigin: 'http://localhost' } });
     world.onmessage({ data: { limits: { maxVoxelsPerAxis: 3, maxAtlasSize: 4096, maxBytes: 2 ** 30 } } });
