@@ -177,6 +177,10 @@ async function newPage() {
       problems.push(message.text());
   });
   page.on('pageerror', (error) => problems.push(String(error)));
+  // Of a worker's script that is missing the console says nothing.
+  page.on('response', (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()} ${response.url()}`);
+  });
   page.on('request', (request) => {
     if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(origin)) problems.push(request.url());
   });
