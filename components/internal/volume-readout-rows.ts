@@ -40,22 +40,30 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
     name: messages.value,
     text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))),
   };
+  const writeLayer = (wanted: number | undefined): string =>
+    write(({ layers = [] }) => {
+      const found = layers.find(({ channel }) => channel === wanted);
+      return found && found.value !== null ? writeValue(found.value, found.unit) : none;
+    });
+  // The sum of the channels' shares is no value of the file.
+  const values: Row[] = volume.channels?.map(({ number, name }) => ({
+    name: name || messages.channel(language.number(number)),
+    text: writeLayer(number),
+  })) ?? [value];
   const layers: Row[] =
     typeof style.layer !== 'string'
       ? []
       : [
           {
             name: style.layer || messages.layer,
-            text: write(({ layers: [first] = [] }) =>
-              first && first.value !== null ? writeValue(first.value, first.unit) : none,
-            ),
+            text: writeLayer(undefined),
           },
         ];
   if (isRadar(volume))
     return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
   const label: Row = { name: messages.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
-    ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
+    ...(style.hasLabels ? [label, ...values] : pick?.label === undefined ? values : [label]),
     ...layers,
     { name: messages.place, text: write(({ world }) => writePlace(world, volume, style)) },
     {

@@ -79,6 +79,44 @@ export const styles = css`
     order: -1;
   }
 
+  .channels ul {
+    display: grid;
+    gap: 4px 1.2em;
+    grid-template-columns: repeat(auto-fill, minmax(min(100%, 15em), 1fr));
+    margin: 0;
+    padding: 0;
+    list-style: none;
+  }
+
+  .channels li {
+    display: flex;
+    align-items: center;
+    gap: 0.6em;
+    min-inline-size: 0;
+  }
+
+  .channels bdi {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+
+  .light {
+    flex: none;
+    inline-size: 3.2em;
+    block-size: 1em;
+    border-radius: 5px;
+    background: linear-gradient(to right, #0d1016, var(--light));
+    box-shadow: 0 0 0 1px var(--_line);
+  }
+
+  .window {
+    flex: none;
+    margin-inline-start: auto;
+    color: var(--_soft);
+    direction: ltr;
+  }
+
   /* Values rise from left to right, and numbers are to the right of a vertical scale, in any writing direction of the page. */
   .scale {
     direction: ltr;
@@ -127,7 +165,8 @@ export const styles = css`
   }
 
   @media (forced-colors: active) {
-    .bar {
+    .bar,
+    .light {
       forced-color-adjust: none;
       outline: 1px solid CanvasText;
     }

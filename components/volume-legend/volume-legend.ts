@@ -9,6 +9,7 @@ import { labelShift } from '../../src/editor/ticks.ts';
 import { toShare } from '../../src/editor/transfer-function-axes.ts';
 import type { Language } from '../../src/messages/language.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
+import type { ChannelInfo } from '../../src/viewer/model/volume-info.ts';
 import { CompanionLocale } from '../../src/messages/companion-locale.ts';
 import { renderGradientStops } from '../internal/color-gradient.ts';
 import { flag } from '../internal/property-kinds.ts';
@@ -34,6 +35,7 @@ const maxTicks = 9;
  * @csspart title - the name of the values, and their unit
  * @csspart bar - the colours
  * @csspart ticks - the numbers
+ * @csspart channel - the colour, the name and the window of a channel, where the volume has several
  * @csspart offset - the number to add to all numbers, where only their last digits differ
  * @csspart hint - the text where there is no volume
  * @cssproperty --volume-legend-background - background of the colours; dark by default, as behind a volume
@@ -73,6 +75,7 @@ export class VolumeLegend extends ReflectingElement {
     if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.messages)}</p>`;
     const over = this.layer && this.#link.view ? socketOf(this.#link.view).last('overlay') : null;
     if (this.layer && !over) return nothing; // The layer is still loading, or hidden.
+    if (volume.channels && !over) return renderChannels(volume.channels, this.label, language);
     const { unit, range } = over?.shown.volume ?? volume;
     const title = over?.name ?? volume.title ?? '';
     const stops = over?.shown.transferFunction ?? optics.transferFunction;
@@ -84,6 +87,18 @@ export class VolumeLegend extends ReflectingElement {
       <div class="scale">${renderBar(stops, domain, upright)}${renderTicks(domain, language)}</div>
     </div>`;
   }
+}
+
+/** The colours of channels, from dark to the value that has all of the colour. */
+function renderChannels(channels: readonly ChannelInfo[], label: string | null, language: Language): unknown {
+  return html`<div class="legend channels">
+    ${label ? html`<div class="title" part="title">${label}</div>` : nothing}
+    <ul>${channels.map(({ number, name, color, window: [low, high] }) => {
+      const css = `rgb(${color.map((part) => Math.round(255 * part)).join(' ')})`;
+      return html`<li part="channel"><span class="light" .style=${`--light: ${css}`}></span><bdi>${name || language.number(number)}</bdi>
+        <span class="window">${language.number(low, 4)} – ${language.number(high, 4)}</span></li>`;
+    })}</ul>
+  </div>`;
 }
 
 function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {

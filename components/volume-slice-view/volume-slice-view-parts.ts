@@ -3,10 +3,12 @@ import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { LoadProgress } from '../../src/formats/base/load-request.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { scale } from '../../src/volume/matrix.ts';
+import { invertAffine, scale, transformPoint } from '../../src/volume/matrix.ts';
 import { windowOfFile } from '../../src/panes/gray-levels.ts';
 import { joinPaneLabels } from '../../src/panes/join-pane-labels.ts';
+import { paneChannels } from '../../src/panes/pane-channels.ts';
 import type { PaneLabels } from '../../src/panes/pane-labels.ts';
+import { nearestSampler } from '../../src/panes/sample-at.ts';
 import type { SlicePane } from '../../src/panes/slice-pane.ts';
 import { roundLength } from '../../src/panes/pane-frame.ts';
 import { sideLetters, toPlane } from '../../src/panes/slice-plane.ts';
@@ -56,7 +58,16 @@ export function describePlace(pane: SlicePane, locale: SliceLocale): string {
 export function describeValue(pane: SlicePane, { language, messages }: SliceLocale): string {
   const value = pane.sliced?.valueAt(pane.place) ?? null;
   if (value === null) return messages.noValue;
-  const { unit, isDiscrete } = pane.sliced!.volume;
+  const { unit, isDiscrete, channels, grid } = pane.sliced!.volume;
+  if (channels) {
+    const [x, y, z] = transformPoint(invertAffine(grid.indexToWorld)!, pane.place);
+    return channels.list
+      .map(({ number, name, samples, slope, intercept }) => {
+        const own = slope * nearestSampler({ samples, dimensions: grid.dimensions })(x, y, z) + intercept;
+        return `${name || language.number(number)} ${Number.isNaN(own) ? messages.noValue : language.value(own, unit)}`;
+      })
+      .join(' · ');
+  }
   const name = pane.labels?.nameAt(pane.place) ?? (isDiscrete ? nameInFile(pane.sliced!.volume, value) : null);
   if (isDiscrete && name !== null) return name; // The value is only the number of the label.
   return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
@@ -134,10 +145,11 @@ export function renderCrosshair({ point }: SlicePane): unknown {
   return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
 }
 
-/** The colours over the greys of a volume of a view, or of the pane's own volume: its layer, and its labels. @param opacity - of labels */
+/** The colours over the greys of a volume of a view, or of the pane's own volume: its channels, its layer, and its labels. @param opacity - of labels */
 export function labelsOf(view: HTMLElement | null, volume: Volume | null, opacity: number): PaneLabels | null {
   const socket = view && socketOf(view);
   return joinPaneLabels([
+    volume && paneChannels(volume),
     socket?.last('overlay')?.inPane(volume) ?? null,
     ...(socket?.parts.map((part) => part.inPane?.(volume, opacity) ?? null) ?? []),
   ]);

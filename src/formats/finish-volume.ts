@@ -107,7 +107,7 @@ async function finishCartesian(
     const { finishLabels } = await loadReader(() => import('#rare/formats/finish-labels.ts'));
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }
-  if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse)
+  if (onCoarse && !outline.isDiscrete && !outline.channels && samples.byteLength > minForCoarse)
     onCoarse(await makeCoarse(outline, samples, limits));
   // Of those that are made smaller, or cleaned, voxels are not the file's.
   return {

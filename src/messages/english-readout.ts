@@ -6,6 +6,7 @@ export const english: ReadoutMessages = {
   value: 'Value',
   label: 'Label',
   layer: 'Layer',
+  channel: (number) => `Channel ${number}`,
   place: 'Place',
   voxel: 'Voxel',
   beamRange: 'Range',

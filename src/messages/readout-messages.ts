@@ -7,6 +7,8 @@ export interface ReadoutMessages {
   readonly label: string;
   /** Name of a second volume over the first one, where it has no name of its own. */
   readonly layer: string;
+  /** @param number - of the channel, in digits */
+  readonly channel: (number: string) => string;
   readonly place: string;
   readonly voxel: string;
   readonly beamRange: string;

@@ -1,5 +1,6 @@
 // The float64 twins that many rays need, in one file: they are loaded together, with the first ray that is cast on the processor.
 export { labelField, labelShade } from './attachments/labels.ts';
+export { channelField, channelShade } from './attachments/channel-colors.ts';
 export { cartesianOverlay, overlayField, overlayStages } from './attachments/overlay.ts';
 export { planeInterval } from './attachments/plane-slices.ts';
 export { groupClassify, groupShade } from './label-groups.ts';

@@ -22,7 +22,8 @@ export async function openZarr(
   load: FolderLoad | undefined,
 ): Promise<OpenedFiles> {
   const { origin, pathname, search, protocol, hash } = new URL(address);
-  const channel = new URLSearchParams(hash.slice(1)).get('channel');
+  const asked = new URLSearchParams(hash.slice(1));
+  const choice = { channel: asked.get('channel'), channels: asked.get('channels') };
   const options: FetchOptions = { ...reading, onProgress: (...counts) => load?.onProgress(...counts) };
   const isFile = !/\.zarr(\/|$)/i.test(pathname);
   if (!protocol.startsWith('http'))
@@ -31,7 +32,7 @@ export async function openZarr(
       'a Zarr is many files; expected its address on a server, or its folder as files',
     );
   const tree = new HttpTree(origin + (isFile ? pathname : pathname.replace(/\/*$/, '/')), search, options);
-  if (!isFile) return openedTree(tree, load, { channel });
+  if (!isFile) return openedTree(tree, load, choice);
   const archive: ByteStore = {
     list: async () => null,
     stat: async () => ({ size: await tree.size('') }),
@@ -42,7 +43,7 @@ export async function openZarr(
     },
   };
   const zip = await ZipStore.open(archive, address, archiveBase, nameOf(address));
-  const opened = await openTree(zip, archiveBase, load, { kind: 'archive', channel });
+  const opened = await openTree(zip, archiveBase, load, { kind: 'archive', ...choice });
   if (opened) return opened;
   throw new VolumeViewError(
     'format/unknown',

@@ -26,7 +26,7 @@ export async function showPart(
   const volume = await finishVolume(part, limits, undefined, request.settings?.clean).catch(() => null);
   // Of labels there are no values between two slices.
   if (!onCoarse || !volume || volume.isDiscrete) return;
-  const { samples: _few, macrocells: _ofFew, ...of } = volume;
+  const { samples: _few, macrocells: _ofFew, channels: _alsoFew, ...of } = volume;
   load.onCoarse = undefined;
   onCoarse({ volume: { ...volume, coarse: true }, of: { ...of, grid } });
 }

@@ -18,7 +18,7 @@ export async function openTree(
   store: ByteStore,
   base: string,
   load: FolderLoad | undefined,
-  { kind, channel }: { readonly kind: NonNullable<OpenedFiles['source']>['kind']; readonly channel?: string | null },
+  { kind, ...choice }: { readonly kind: NonNullable<OpenedFiles['source']>['kind'] } & ChannelChoice,
 ): Promise<OpenedFiles | null> {
   const urls = (await store.list()) ?? [];
   const folders = urls.flatMap((url) => metadata.exec(decodeURIComponent(url.slice(base.length)))?.slice(1, 2) ?? []);
@@ -28,21 +28,24 @@ export async function openTree(
   return openedTree(
     new StoreTree(store, new Set(urls), urlInStore(base, folders[0] ?? '') + (folders[0] ? '/' : '')),
     load,
-    { source: { kind, count: urls.length }, channel },
+    { source: { kind, count: urls.length }, ...choice },
   );
 }
+
+/** Which channels the address asks for. */
+type ChannelChoice = Pick<FileTree, 'channel' | 'channels'>;
 
 /** What opening a Zarr gives. */
 export function openedTree(
   files: Pick<FileTree, 'read'>,
   load: FolderLoad | undefined,
-  { source, channel }: { readonly source?: OpenedFiles['source']; readonly channel?: string | null },
+  { source, ...choice }: { readonly source?: OpenedFiles['source'] } & ChannelChoice,
 ): OpenedFiles {
   return {
     first: '',
     source,
     tree: {
-      channel,
+      ...choice,
       read: files.read.bind(files),
       async showPart(part, grid) {
         if (load) await showPart(load, part, grid);

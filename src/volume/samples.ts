@@ -6,6 +6,5 @@ export type Samples = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float
 
 /** An empty array of the samples' own type. */
 export function allocateLike(samples: Samples, length: number): Samples {
-  if (samples instanceof Uint8Array) return new Uint8Array(length);
-  return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
+  return new (samples.constructor as new (length: number) => Samples)(length);
 }

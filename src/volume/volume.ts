@@ -1,3 +1,4 @@
+import type { ChannelColors } from './channels.ts';
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
 import type { IndexedSamples, Rounded, Unkept } from './index-numbers.ts';
@@ -49,6 +50,8 @@ export interface VolumeData {
   readonly rounded?: Rounded;
   /** Set where samples can't keep all numbers of a file of floats. */
   readonly unkept?: Unkept;
+  /** Set where `samples` is the brightness of several channels: their colours, and their own values. Cartesian only. */
+  readonly channels?: ChannelColors;
 }
 
 /** One of the series in the files that a volume comes from. Nothing of it says whose it is. */

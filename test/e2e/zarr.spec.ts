@@ -97,19 +97,62 @@ test('a view that leaves the page asks for nothing any more', async ({ page }) =
   expect(length).toBeLessThan(900);
 });
 
-test('one of its channels is shown, and another one when the address says so', async ({ page }) => {
-  const channels = [1, 2].map((n) => ({ window: { start: 1000 * n, end: 20_000 * n, min: 0, max: 65_535 } }));
-  const server = await start(pyramidFiles({ axes: 'czyx', shape: [2, 8, 8, 8], attributes: { omero: { channels } } }));
-  await open(page, view(`src="${server.url}"`));
+test('its channels are shown in their colours, or one of them, or some, as the address says', async ({ page }) => {
+  const channels = ['0000FF', 'FF0000', '00FF00'].map((color, c) => ({
+    color,
+    active: c < 2,
+    label: ['<b>DNA</b>', 'actin', 'off'][c],
+    window: { start: 0, end: 100, min: 0, max: 65_535 },
+  }));
+  // Blue light where x of the file is small, red where it is large; x of the file runs to the left, seen from behind here.
+  const valueAt = ({ x, c }: { x: number; c: number }): number => (c === 2 || x < 4 === (c === 0) ? 100 : 0);
+  const server = await start(
+    pyramidFiles({
+      axes: 'czyx',
+      shape: [3, 8, 8, 8],
+      valueAt,
+      unit: 'millimeter',
+      attributes: { omero: { channels } },
+    }),
+  );
+  await open(
+    page,
+    view(`src="${server.url}" camera-orbit="180deg 90deg auto"`) +
+      '<volume-legend for="v"></volume-legend><volume-readout for="v"></volume-readout><volume-slice-view id="s" for="v" style="width: 60px"></volume-slice-view>',
+  );
   await settle(page);
   const look = (): Promise<unknown> =>
-    withElement(page, ({ volume, optics }) => [volume!.range[0] > 10_000, volume!.left, optics!.window]);
-  expect(await look()).toMatchObject([false, [expect.stringContaining('1 of 2 channels')], [1000, 20_000]]);
-  await withElement(page, async (one) => {
-    one.src += '#channel=2';
-    await one.whenRendered();
-  });
-  expect(await look()).toMatchObject([true, [expect.stringContaining('number 2')], [2000, 40_000]]);
+    withElement(page, ({ volume }) => [
+      volume!.channels?.map(({ number }) => number) ?? null,
+      volume!.left,
+      volume!.range,
+    ]);
+  expect(await look()).toMatchObject([[1, 2], [expect.stringContaining('1 of 3 channels')], [1, 1]]);
+  const picked = await withElement(page, async (one) => [await one.pick(15, 22), await one.pick(45, 22)]);
+  expect(picked.map((one) => one!.layers)).toEqual(
+    [100, 0].map((red) => [
+      { name: '<b>DNA</b>', value: 100 - red, unit: '', channel: 1 },
+      { name: 'actin', value: red, unit: '', channel: 2 },
+    ]),
+  );
+  expect(picked.map((one) => one!.color)).toEqual(['#ff0000', '#0000ff']);
+  await expect(page.locator('volume-legend')).toContainText('<b>DNA</b>');
+  await expect(page.locator('volume-readout')).toContainText('actin');
+  await expect(page.locator('volume-slice-view')).toContainText('actin');
+  for (const [hash, numbers] of [
+    ['#channels=3,1', [3, 1]],
+    ['#channel=2', null],
+  ] as const) {
+    await withElement(
+      page,
+      async (one, wanted) => {
+        one.src = one.src!.replace(/#.*|$/, wanted);
+        await one.whenRendered();
+      },
+      { argument: hash },
+    );
+    expect(await look()).toMatchObject([numbers, expect.anything(), expect.anything()]);
+  }
 });
 
 test('its times are scans', async ({ page }) => {

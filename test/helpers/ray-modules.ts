@@ -16,6 +16,7 @@ import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { litText } from '../../src/renderer/ray/modules/lit.ts';
 import { pointsModule } from '../../src/renderer/ray/modules/points.ts';
 import { cartesianTapsOf } from '../../src/renderer/ray/modules/field-taps.ts';
+import { channelColorsModule, channelsText } from '../../src/renderer/ray/modules/channels.ts';
 import { overlayAppearanceText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
 import { styledText, stylingText } from '../../src/renderer/ray/modules/styled.ts';
@@ -326,6 +327,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
       points: pointsModule,
       gather: surfacesText({ isOne: true, fog: false, kinks: true, light: lamps, styling: stylingText(lamps) }),
     },
+    { ...plain, channels: channelsText(webgl2), channelColors: channelColorsModule },
     ...bits.map((isExact) => ({ ...plain, gather: projectionText('max', { isLocal: true, isExact }) })),
     {
       ...plain,

@@ -16,10 +16,14 @@ export interface MemoryTree extends FileTree {
 }
 
 /** @param waits - whether reading takes a moment, as from a server */
-export function memoryTree(files: ZarrFiles, waits = false, channel?: string): MemoryTree {
+export function memoryTree(
+  files: ZarrFiles,
+  waits = false,
+  choice: Pick<FileTree, 'channel' | 'channels'> = {},
+): MemoryTree {
   let running = 0;
   const tree: MemoryTree = {
-    channel,
+    ...choice,
     asked: [],
     parts: [],
     grids: [],

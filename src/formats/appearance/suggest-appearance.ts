@@ -46,6 +46,7 @@ export async function suggestAppearance(
   const { low, counts } = histogram;
   const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
   const isUnusual =
+    !decoded.channels &&
     (unit === '' || decoded.isUptake) &&
     (decoded.isLabels ||
       decoded.intent ||

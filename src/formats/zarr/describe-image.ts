@@ -3,33 +3,30 @@ import { cleanName } from '../base/clean-name.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { listLeft } from '../base/list-left.ts';
 import type { OmeImage } from './open-image.ts';
+import { describeChannel, describeHidden } from './ome-channels.ts';
+import type { ShownChannels } from './ome-channels.ts';
 import { listOf, numbersOf, objectOf } from './read-json.ts';
 
 /** What all levels of an image have in common. */
 export function describeImage(
   image: OmeImage,
   {
-    channel,
+    shown,
     time,
     times,
     volumes,
-  }: { readonly channel: number; readonly time: number; readonly times: number; readonly volumes: number },
+  }: { readonly shown: ShownChannels; readonly time: number; readonly times: number; readonly volumes: number },
 ): Pick<DecodedCartesianVolume, 'unit' | 'format' | 'window' | 'isLabels' | 'named' | 'left' | 'anatomical'> {
   const { axes, levels, omero, labels } = image;
-  const { start, end } = objectOf(objectOf(listOf(omero.channels)[channel]).window);
-  const isWindow = typeof start === 'number' && typeof end === 'number' && Number.isFinite(end - start) && start < end;
+  const window = shown.kind === 'values' && !labels ? describeChannel(omero, shown.index).window : null;
   const channels = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
-  const others =
-    channels > 1
-      ? `${channels - 1} of ${channels} channels: number ${channel + 1} is shown, and "#channel=2" after the address shows the second`
-      : null;
   return {
     unit: '',
     format: `${image.format}${times > 1 ? `, volume ${time + 1} of ${times}` : ''}`,
     ...(axes.anatomical && { anatomical: true }),
-    ...(isWindow && !labels && { window: [start, end] as const }),
+    ...(window && { window }),
     ...(labels && { isLabels: true, named: readLabels(labels) }),
-    ...listLeft(volumes, others, ...image.left),
+    ...listLeft(volumes, describeHidden(shown, channels), ...image.left),
   };
 }
 

@@ -16,6 +16,8 @@ export interface TreeReading {
 export interface FileTree {
   /** Which channel its address asks for, as a number from 1: what is after `channel=`; null where it asks for none. */
   readonly channel?: string | null;
+  /** Which channels it asks for as colours: numbers from 1 with commas. */
+  readonly channels?: string | null;
   /**
    * Reads a file, or a part of it, which may have fewer bytes than were asked for.
    * @param path - below the folder, without a slash at its start

@@ -16,9 +16,11 @@ import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
 import type { ArrayBox } from './list-chunks.ts';
 import { secondsOf } from './time-units.ts';
+import { chooseChannels } from './ome-channels.ts';
 import { openImage } from './open-image.ts';
 import type { OmeImage } from './open-image.ts';
 import { readBox } from './read-box.ts';
+import { limitsOfChannels, readChannels } from './read-channels.ts';
 
 /** The load for which a volume is read. */
 export interface ZarrLoad {
@@ -49,15 +51,25 @@ export async function readZarr(
   const image = await openImage(tree, settings.series, load);
   const { axes, levels } = image;
   const { shape } = levels[0].array;
-  const channel = chooseChannel(image, tree.channel);
+  const shown = chooseChannels(image, tree);
   const { time, times } = chooseTime(image, settings, load);
-  const at = shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? channel : 0));
-  const arrayBox = ({ first, dimensions }: LevelBox): ArrayBox => ({ axes: axes.space, first, dimensions, at });
+  const firstChannel = shown.kind === 'values' ? shown.index : shown.list[0].index;
+  const arrayBox = ({ first, dimensions }: LevelBox, channel = firstChannel): ArrayBox => {
+    const at = shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? channel : 0));
+    return { axes: axes.space, first, dimensions, at };
+  };
   // A region that holds nothing of the volume is an error of the view, which says it.
   const region =
     settings.region && levels.every((level) => cutLevel(level, axes, settings.region!)) ? settings.region : null;
   const boxes = levels.map((level) => cutLevel(level, axes, region)!);
-  const chosen = chooseLevel(boxes, arrayBox, load.limits, axes);
+  const stored = Math.min(4, levels[0].array.type.bytesPerSample);
+  const ofChannels = shown.kind === 'colors' ? limitsOfChannels(load.limits, shown.list.length, stored) : null;
+  const chosen = chooseLevel(
+    boxes,
+    arrayBox,
+    ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : load.limits,
+    axes,
+  );
   const coarsest = boxes[boxes.length - 1];
   if (!isReadable(chosen, arrayBox(chosen)))
     throw new VolumeViewError(
@@ -65,27 +77,32 @@ export async function readZarr(
       `the coarsest level of the ${image.format} has ${chosen.dimensions.join(' x ')} voxels in too many chunks, or in too large ones; expected a pyramid with a smaller level, or larger chunks`,
     );
   // As scans, the other times are shown too.
-  const describe = describeImage(image, { channel, time, times, volumes: settings.scan ? 1 : times });
-  const read = async (box: LevelBox, onProgress: ProgressListener): Promise<DecodedCartesianVolume> => {
+  const describe = describeImage(image, { shown, time, times, volumes: settings.scan ? 1 : times });
+  const readSamples = async (box: LevelBox, channel: number, onProgress: ProgressListener) => {
     const { array } = box.level;
     countSampleBytes(`the ${image.format}`, box.dimensions, array.type);
-    const bytes = await readBox(tree, array, arrayBox(box), { ...load, onProgress });
-    const { scale, offset, ...stored } = storeSamples(bytes, array.type, array.littleEndian, {
+    const bytes = await readBox(tree, array, arrayBox(box, channel), { ...load, onProgress });
+    const { scale, offset, ...rest } = storeSamples(bytes, array.type, array.littleEndian, {
       slope: 1,
       intercept: 0,
       budget: load.budget,
       chooseWhole: await wholeNumbersOf(array.type),
     });
-    return placeVolume(
-      {
-        ...describe,
-        ...stored,
-        grid: cartesianGrid(box.dimensions, worldOfBox(box, axes)),
-        slope: scale,
-        intercept: offset,
-      },
-      settings,
-    );
+    return { ...rest, slope: scale, intercept: offset };
+  };
+  const windows = new Map<number, readonly [number, number]>();
+  const read = async (box: LevelBox, onProgress: ProgressListener): Promise<DecodedCartesianVolume> => {
+    const whole = { dimensions: box.dimensions, indexToWorld: worldOfBox(box, axes) };
+    const { dimensions, indexToWorld, ...values } =
+      shown.kind === 'colors'
+        ? await readChannels(whole, shown.list, (index, report) => readSamples(box, index, report), {
+            budget: load.budget,
+            onProgress,
+            windows,
+            limits: ofChannels!,
+          })
+        : { ...whole, ...(await readSamples(box, shown.index, onProgress)) };
+    return placeVolume({ ...describe, ...values, grid: cartesianGrid(dimensions, indexToWorld) }, settings);
   };
   if (
     coarsest !== chosen &&
@@ -95,15 +112,16 @@ export async function readZarr(
     const part = await read(coarsest, () => load.onProgress(0, 0));
     const whole = placeVolume({ ...part, grid: cartesianGrid(chosen.dimensions, worldOfBox(chosen, axes)) }, settings);
     await tree.showPart(part, whole.grid);
-    load.budget.giveBack(part.samples.byteLength);
+    load.budget.giveBack(bytesOf(part));
   }
   const volume = await read(chosen, load.onProgress);
   const [finest] = boxes;
   if (chosen === finest) return volume;
   // Where even the coarsest level is too large, it is made smaller here, so that it is known from what. Labels have no mean.
-  const { samples, dimensions, indexToWorld } = volume.isLabels
-    ? { ...volume.grid, samples: volume.samples }
-    : fitVolume({ ...volume.grid, samples: volume.samples }, load.limits);
+  const { samples, dimensions, indexToWorld } =
+    volume.isLabels || volume.channels
+      ? { ...volume.grid, samples: volume.samples }
+      : fitVolume({ ...volume.grid, samples: volume.samples }, load.limits);
   return {
     ...volume,
     samples,
@@ -113,15 +131,13 @@ export async function readZarr(
   };
 }
 
-/** From 0. @param wanted - from 1 */
-function chooseChannel({ axes, levels }: OmeImage, wanted: string | null = '1'): number {
-  const count = axes.channel === null ? 1 : levels[0].array.shape[axes.channel];
-  const number = Number(wanted ?? 1);
-  if (Number.isInteger(number) && number >= 1 && number <= count) return number - 1;
-  throw new VolumeViewError(
-    'attribute/invalid',
-    `src got "#channel=${wanted?.slice(0, 40)}"; expected the number of a channel, from 1 to ${count}.`,
+/** Bytes that were taken for a volume's samples. */
+function bytesOf({ samples, channels }: DecodedCartesianVolume): number {
+  const each = channels?.list.reduce(
+    (sum, { samples: { byteLength } }) => sum + byteLength,
+    channels.colors.byteLength,
   );
+  return samples.byteLength + (each ?? 0);
 }
 
 /** The time that is read, from 0, and the number of times; the page hears of them as scans where it asks for one. */

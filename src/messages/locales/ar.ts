@@ -205,6 +205,7 @@ export const messages: Messages = {
   value: 'القيمة',
   label: 'التسمية',
   layer: 'الطبقة',
+  channel: (number) => `القناة ${number}`,
   place: 'الموضع',
   voxel: 'الفوكسل',
   beamRange: 'المدى',

@@ -216,6 +216,7 @@ export const messages: Messages = {
   value: 'Wert',
   label: 'Beschriftung',
   layer: 'Ebene',
+  channel: (number) => `Kanal ${number}`,
   place: 'Ort',
   voxel: 'Voxel',
   beamRange: 'Entfernung',

@@ -207,6 +207,7 @@ export const messages: Messages = {
   value: 'Valor',
   label: 'Etiqueta',
   layer: 'Capa',
+  channel: (number) => `Canal ${number}`,
   place: 'Lugar',
   voxel: 'Vóxel',
   beamRange: 'Distancia',

@@ -207,6 +207,7 @@ export const messages: Messages = {
   value: 'Valeur',
   label: 'Étiquette',
   layer: 'Couche',
+  channel: (number) => `Canal ${number}`,
   place: 'Position',
   voxel: 'Voxel',
   beamRange: 'Distance',

@@ -205,6 +205,7 @@ export const messages: Messages = {
   value: '値',
   label: 'ラベル',
   layer: 'レイヤー',
+  channel: (number) => `チャンネル${number}`,
   place: '位置',
   voxel: 'ボクセル',
   beamRange: '距離',

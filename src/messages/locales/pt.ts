@@ -207,6 +207,7 @@ export const messages: Messages = {
   value: 'Valor',
   label: 'Rótulo',
   layer: 'Camada',
+  channel: (number) => `Canal ${number}`,
   place: 'Lugar',
   voxel: 'Voxel',
   beamRange: 'Distância',

@@ -204,6 +204,7 @@ export const messages: Messages = {
   value: '数值',
   label: '标签',
   layer: '图层',
+  channel: (number) => `通道 ${number}`,
   place: '位置',
   voxel: '体素',
   beamRange: '距离',

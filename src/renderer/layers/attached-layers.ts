@@ -48,7 +48,7 @@ export class AttachedLayers {
   /** All modules of a ray; without those of the second field if WebGL 1 has no samplers left for them. */
   fit(modules: readonly RayModule[]): readonly RayModule[] {
     if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
-    const others = modules.filter(({ name }) => !name.startsWith('overlay'));
+    const others = modules.filter(({ name }) => !/^(overlay|channel)/.test(name));
     if (others.length < modules.length && !this.#hasNotified) {
       this.#hasNotified = true;
       console.warn(

@@ -1,4 +1,4 @@
-// Labels of a layer's volume, and volumes of labels. The first of them loads this file.
+// Labels of a layer's volume, volumes of labels, and volumes of several channels. The first of them loads this file.
 import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
@@ -26,7 +26,7 @@ import type { LabelFunctions } from '../ray/modules/label-functions.ts';
 import type { FieldModule, Optics, RayModule } from '../ray/ray-module.ts';
 import { uploadGradually } from '../textures/upload-gradually.ts';
 
-export { discreteProvider } from '../ray/modules/discrete-field.ts';
+export { rareProvider } from '../ray/modules/rare-fields.ts';
 
 /** A label map on the GPU, with the table of its labels, and which labels each cell contains. */
 interface Brought {

@@ -59,7 +59,8 @@ export class VolumeLayer {
   #volume: VolumeData | null = null;
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
-  #discrete: FieldProvider | null = null;
+  /** Of volumes of labels, and of several channels. */
+  #rare: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
   #shownStyle: RayStyle | null = null;
@@ -168,8 +169,8 @@ export class VolumeLayer {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
-    if (volume.isDiscrete)
-      this.#discrete = (await loadPart(import('./label-layer.ts'), 'shows labels')).discreteProvider;
+    if (volume.isDiscrete || volume.channels)
+      this.#rare = (await loadPart(import('./label-layer.ts'), 'shows labels')).rareProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -201,7 +202,11 @@ export class VolumeLayer {
   }
 
   #providerOf(volume: VolumeData): FieldProvider {
-    const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
+    const provider = isPolar(volume)
+      ? this.#polar
+      : volume.isDiscrete || volume.channels
+        ? this.#rare
+        : cartesianProvider;
     if (!provider) throw new TypeError('prepare() was not awaited');
     return provider;
   }
@@ -225,6 +230,7 @@ export class VolumeLayer {
     ];
     const own = [
       this.#field!,
+      ...(this.#field!.more ?? []),
       ...this.#usual.slice(0, 1),
       ...ends,
       ...this.#usual.slice(1),

@@ -161,6 +161,8 @@ export interface FieldModule extends RayModule<'field'> {
   readonly storedScale: number;
   /** The bytes that it takes on the GPU. */
   readonly bytes: number;
+  /** Further modules of the rays of such a volume; absent if there are none. */
+  readonly more?: readonly RayModule[];
   inputs(): ProgramInputs;
   dispose(): void;
 }

@@ -2,9 +2,13 @@ import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../../opti
 import type { Patch } from '../../optics/transfer/patches.ts';
 import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import type { Stop } from '../../optics/transfer/transfer-function.ts';
+import type { Channel } from '../../volume/channels.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { SeriesInfo, SourceInfo, ValueWindow, Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+
+/** A channel of a volume of several. */
+export type ChannelInfo = Pick<Channel, 'number' | 'name' | 'color' | 'window'>;
 
 /** What a page can get of a loaded volume: everything except its samples. */
 export interface VolumeInfo {
@@ -31,6 +35,8 @@ export interface VolumeInfo {
    * takes the name or the number, from 1, of one of them.
    */
   readonly windows?: readonly ValueWindow[];
+  /** Where it is the colours of several channels: each one that is shown. Its `range` is then that of their brightness. */
+  readonly channels?: readonly ChannelInfo[];
   /** The title of the volume, if its manifest has one. */
   readonly title?: string;
   /** Whether the world's axes are those of a patient, as its file says: x to the right, y to the front, z to the head. */
@@ -131,6 +137,7 @@ export function describeVolume(volume: Volume): VolumeInfo {
     series,
     source,
     windows,
+    channels: volume.channels?.list.map(({ number, name, color, window }) => ({ number, name, color, window })),
     title,
     anatomical,
     credit,

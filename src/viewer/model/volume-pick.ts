@@ -37,7 +37,7 @@ export interface VolumePick {
   readonly label?: string;
   /** Name of that label in `<volume-labels>`. */
   readonly labelName?: string;
-  /** Values of `<volume-layer>`, or of the `color-moment` of a radar, at that place; absent where no such layer is over the volume. */
+  /** Values of the channels of a volume of several, of `<volume-layer>`, or of the `color-moment` of a radar, at that place; absent where no such layer is over the volume. */
   readonly layers?: readonly LayerValue[];
   /** Opacity of the picture at the place, 0..1. */
   readonly opacity: number;
@@ -89,7 +89,7 @@ export interface PickedSurface {
   readonly radar: Omit<RadarPlace, 'gate'> | null;
 }
 
-/** The value of a second volume at a place. */
+/** The value of a second volume, or of a channel, at a place. */
 export interface LayerValue {
   /** The name of the volume; '' where it has none. */
   readonly name: string;
@@ -97,6 +97,8 @@ export interface LayerValue {
   readonly value: number | null;
   /** Unit of its values, or ''. */
   readonly unit: string;
+  /** The number of the channel, from 1; absent for another volume. */
+  readonly channel?: number;
 }
 
 /** A place as a radar sees it, with the 4/3 Earth of the standard atmosphere. */

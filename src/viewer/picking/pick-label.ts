@@ -1,3 +1,4 @@
+import { interpolate } from '../../optics/rays/interpolate.ts';
 import { voteOfCorners } from '../../optics/rays/vote.ts';
 import { nameInFile } from '../../volume/labels.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
@@ -5,7 +6,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
-import type { VolumePick } from '../model/volume-pick.ts';
+import type { LayerValue, VolumePick } from '../model/volume-pick.ts';
 
 /**
  * The label at a place, and its name; nothing where there is no label.
@@ -27,16 +28,25 @@ export function labelOf(
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
 }
 
-/** The value of the layer over a volume at a place; nothing where no layer is over it. @param place - in the unit cube */
+/** The values of a volume's channels at a place, and of the layer over it; nothing where it has neither. @param place - in the unit cube */
 export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
-  if (!overlay?.isOver(volume)) return {};
+  const channels = volume.channels?.list.map(({ number, name, samples, slope, intercept }): LayerValue => {
+    const value = slope * interpolate(samples, volume.grid.dimensions, place) + intercept;
+    return { name, value: Number.isNaN(value) ? null : value, unit: '', channel: number };
+  });
+  const layers = [...(channels ?? []), ...valueOf(overlay, place, volume)];
+  return layers.length > 0 ? { layers } : {};
+}
+
+function valueOf(overlay: ViewOverlay | null, place: Vector3, volume: Volume): LayerValue[] {
+  if (!overlay?.isOver(volume)) return [];
   const {
     name,
     shown: {
       volume: { unit },
     },
   } = overlay;
-  return { layers: [{ name, value: overlay.valueAt(place), unit }] };
+  return [{ name, value: overlay.valueAt(place), unit }];
 }
 
 /** Whether labels are on a volume's grid: another volume may have come meanwhile. */

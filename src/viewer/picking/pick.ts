@@ -1,6 +1,7 @@
 // Finds what is at a place of a picture: loaded with the first pick.
 import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
+import { channelShade } from '../../optics/attachments/channel-colors.ts';
 import { groupOf } from '../../optics/attachments/labels.ts';
 import { pickPlaces, pickRay } from '../../optics/pick-ray.ts';
 import type { RayPick } from '../../optics/pick-ray.ts';
@@ -9,7 +10,7 @@ import { rayThrough } from '../../optics/rays/rays.ts';
 import type { Ray } from '../../optics/rays/rays.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
 import { evaluate } from '../../optics/transfer/transfer-function.ts';
-import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import { writeColor } from '../../optics/transfer/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
@@ -121,7 +122,8 @@ function describeFound(found: RayPick, { rays, stages, viewer: { shown }, polar 
     interpolated,
     colors,
     radar,
-    hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.[0].value === 'number',
+    light: there.channels as Premultiplied | undefined,
+    hasLayer: overlay?.shown.blend === 'mix' && typeof attached.layers?.at(-1)!.value === 'number',
   });
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...attached };
 }
@@ -164,12 +166,24 @@ function placeInCube(grid: GridFrame, world: Vector3): Vector3 | null {
 const loadPolar = async (viewer: Viewer | null): Promise<typeof RadarPicks | null> =>
   viewer?.volume && isPolar(viewer.volume) ? loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
 
+/** The colour of a place in the light of its channels. */
+function underLight(own: Premultiplied, light: Premultiplied): Premultiplied {
+  const end = { value: 0, valid: true, channels: light };
+  return channelShade({ front: end, back: end, begin: 0, span: 0 }, own, {
+    point: [0, 0, 0],
+    direction: [0, 0, 1],
+    lengthPerT: 1,
+  });
+}
+
 /** What is known about a place, in addition to the place itself. */
 interface Known {
   readonly interpolated: number;
   /** The transfer function of the label there, or of the volume. Brightened. */
   readonly colors: TransferFunction;
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
+  /** The light of the channels there, and their brightness; undefined where the volume has none. */
+  readonly light: Premultiplied | undefined;
   /** Whether a layer has a value of its own there. */
   readonly hasLayer: boolean;
 }
@@ -177,7 +191,7 @@ interface Known {
 function describe(
   { volume, optics }: ViewRays,
   { place, color, surface }: RayPick,
-  { interpolated, colors, radar, hasLayer }: Known,
+  { interpolated, colors, radar, light, hasLayer }: Known,
 ): VolumePick | null {
   const hasData = !Number.isNaN(interpolated);
   const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
@@ -187,10 +201,8 @@ function describe(
   if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;
   const { unit, isDiscrete } = volume;
   const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
-  const [red, green, blue, opacity] = evaluate(
-    of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors,
-    interpolated,
-  );
+  const own = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
+  const [red, green, blue, opacity] = light ? underLight(own, light) : own;
   return {
     value,
     interpolated: shown,

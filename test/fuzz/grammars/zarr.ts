@@ -40,9 +40,12 @@ export const zarr: Grammar = (random): FilesCase => {
     shard: version === 3 && random.chance(0.5) ? chunk.map((n) => n * random.int(1, 3)) : undefined,
     type: random.pick(['uint8', 'uint16', 'float32'] as const),
     levels: random.int(1, 3),
-    ...(random.chance(0.2) && {
-      attributes: { 'image-label': { colors: [{ 'label-value': 1, rgba: [255, 0, 0, 255] }] } },
-    }),
+    attributes: {
+      ...(random.chance(0.2) && { 'image-label': { colors: [{ 'label-value': 1, rgba: [255, 0, 0, 255] }] } }),
+      ...(random.chance(0.4) && {
+        omero: { channels: Array.from({ length: random.int(0, 4) }, () => channelOf(random)) },
+      }),
+    },
   });
   const isPacked = version === 2 && random.chance(0.5);
   const compressor = random.isSound ? 'gzip' : random.pick(['gzip', 'zlib', 'blosc', 'zstd', 'lz4', 'bz2']);
@@ -64,6 +67,21 @@ export const zarr: Grammar = (random): FilesCase => {
     },
   };
 };
+
+/** How a channel is to look. */
+const channelOf = (random: Random): unknown => ({
+  label: random.or<unknown>('DAPI', 5, null, '<b>', 'x'.repeat(1000)),
+  color: random.or<unknown>('00FF00', 'javascript:alert(1)', '#12', 7, '000000', 'red;x:url(//y)'),
+  active: random.or<unknown>(true, false, null, 'no', 0),
+  window: random.or<unknown>(
+    { start: 0, end: 200 },
+    null,
+    { start: 5, end: 5 },
+    { start: -1e308, end: 1e308 },
+    { start: 'a' },
+    [],
+  ),
+});
 
 /** One value somewhere inside becomes another one. */
 function change(random: Random, value: unknown): void {

@@ -15,10 +15,10 @@ const bytes = (maxBytes: number): { limits: typeof roomyLimits } => ({ limits: {
 
 /** The value of each voxel is that of its place. The world of a file without directions has x and y reversed. */
 async function expectPlane(
-  pyramid: PyramidCase,
+  { channel, ...pyramid }: PyramidCase & { readonly channel?: string },
   ...options: Parameters<typeof readStore> extends [unknown, ...infer R] ? R : never
 ): Promise<Vector3> {
-  const volume = await readStore(pyramidFiles(pyramid), ...options);
+  const volume = await readStore(memoryTree(pyramidFiles(pyramid), false, { channel }), ...options);
   const { dimensions, indexToWorld } = volume.grid;
   const [nx, ny, nz] = dimensions;
   for (let k = 0; k < nz; k++)
@@ -122,7 +122,9 @@ describe('an OME-Zarr', () => {
     it(`with the axes ${axes} is laid out as with others`, async () => {
       const lengths = { x: 7, y: 5, z: 3, t: 2, c: 3 };
       const shape = Array.from(axes, (name) => lengths[name as 'x']);
-      expect(await expectPlane({ shape, axes, chunk: shape.map((n) => Math.min(n, 2)) })).to.deep.equal([7, 5, 3]);
+      expect(await expectPlane({ shape, axes, chunk: shape.map((n) => Math.min(n, 2)), channel: '1' })).to.deep.equal([
+        7, 5, 3,
+      ]);
     });
   }
 
@@ -199,24 +201,128 @@ describe('an OME-Zarr', () => {
     expect((await readStore(pyramidFiles(cube))).anatomical).to.equal(undefined);
   });
 
-  it('of several channels shows the first, or the one of the address, with its window, and says it', async () => {
-    const channels = [
-      { window: { start: 5, end: 50, min: 0, max: 99 } },
-      { window: { start: 900, end: 30_000, min: 0, max: 65_535 } },
-    ];
-    const files = pyramidFiles({ axes: 'czyx', shape: [2, 4, 4, 4], attributes: { omero: { channels } } });
-    const [first, second] = [await readStore(files), await readStore(memoryTree(files, false, '2'))];
-    expect(first.window).to.deep.equal([5, 50]);
-    expect(second.window).to.deep.equal([900, 30_000]);
-    const mean = ({ samples, slope, intercept }: typeof first): number =>
-      Array.from(samples).reduce((sum, one) => sum + slope * one + intercept, 0) / samples.length;
-    expect(mean(second) - mean(first)).to.be.closeTo(10_000, 1e-6);
-    expect(first.left!.join()).to.contain('1 of 2 channels').and.contain('#channel=2');
-    const error = await expectError(readStore(memoryTree(files, false, '3')));
-    expect([error.code, error.message]).to.deep.equal([
-      'attribute/invalid',
-      'src got "#channel=3"; expected the number of a channel, from 1 to 2.',
-    ]);
+  describe('of several channels', () => {
+    const omero = {
+      channels: [
+        { label: 'DAPI\n', color: '0000FF', active: true, window: { start: 5, end: 50, min: 0, max: 99 } },
+        { label: 'off', color: 'FF0000', active: false, window: { start: 0, end: 1 } },
+        { color: '00FF80', window: { start: 20_000, end: 40_000, min: 0, max: 65_535 } },
+      ],
+    };
+    const shape = [3, 4, 4, 4];
+    const valueAt = ({ x, c }: { x: number; c: number }): number => [10 * (x + 1), 0, 20_000 + 5000 * x][c];
+    const files = pyramidFiles({ axes: 'czyx', shape, valueAt, attributes: { omero } });
+
+    it('shows those that the file has switched on, each in its colour and window', async () => {
+      const volume = await readStore(files);
+      expect(volume.channels!.list.map((one) => ({ ...one, samples: 0 }))).to.deep.equal([
+        { number: 1, name: 'DAPI', color: [0, 0, 1], window: [5, 50], slope: 1, intercept: 0, samples: 0 },
+        { number: 3, name: '', color: [0, 1, 128 / 255], window: [20_000, 40_000], slope: 1, intercept: 0, samples: 0 },
+      ]);
+      for (let x = 0; x < 4; x++) {
+        const [first, second] = [(10 * (x + 1) - 5) / 45, x / 4];
+        expect(volume.channels!.list[1].samples[x], 'the values of the file').to.equal(20_000 + 5000 * x);
+        const expected = [0, second, (128 / 255) * second + first, first + second];
+        const light = Array.from(volume.channels!.colors.subarray(4 * x, 4 * x + 4), (one) => volume.slope * one);
+        for (const [c, one] of expected.entries()) expect(light[c]).to.be.closeTo(one, volume.slope / 2 + 1e-9);
+        expect(volume.samples[x]).to.equal(volume.channels!.colors[4 * x + 3]);
+      }
+      expect(volume.window).to.deep.equal([0, 2]);
+      expect(volume.left).to.deep.equal([
+        '1 of 3 channels: "#channels=1,2" after the address shows the first and the second',
+      ]);
+    });
+
+    it('shows those of the address, or one as values with its window', async () => {
+      const chosen = await readStore(memoryTree(files, false, { channels: '3, 2' }));
+      expect(chosen.channels!.list.map(({ number }) => number)).to.deep.equal([3, 2]);
+      const one = await readStore(memoryTree(files, false, { channel: '3' }));
+      expect([one.channels, one.window]).to.deep.equal([undefined, [20_000, 40_000]]);
+      expect(one.samples[1]).to.equal(25_000);
+      expect(one.left!.join()).to.contain('2 of 3 channels').and.contain('#channel=2');
+      for (const [choice, message] of [
+        [{ channel: '4' }, 'src got "#channel=4"; expected the number of a channel, from 1 to 3.'],
+        [
+          { channels: '1,<b>' },
+          'src got "#channels=1,<b>"; expected numbers of channels with commas, from 1 to 3, 8 at most.',
+        ],
+      ] as const) {
+        const error = await expectError(readStore(memoryTree(files, false, choice)));
+        expect([error.code, error.message]).to.deep.equal(['attribute/invalid', message]);
+      }
+    });
+
+    it('without words of how they look has windows from its values, as bright in the coarse level', async () => {
+      const tree = memoryTree(pyramidFiles({ axes: 'czyx', shape: [2, 16, 16, 16], levels: 2 }));
+      const volume = await readStore(tree);
+      const windows = volume.channels!.list.map(({ window }) => window);
+      expect(tree.parts[0].channels!.list.map(({ window }) => window)).to.deep.equal(windows);
+      for (const [c, [low, high]] of windows.entries()) {
+        expect(low).to.be.within(1000 + 10_000 * c, 10_000 + 10_000 * c);
+        expect(high).to.be.within(low, 10_700 + 10_000 * c);
+      }
+      expect(new Set(volume.channels!.list.map(({ color }) => String(color))).size).to.equal(2);
+    });
+
+    it('takes a coarser level where the device has no room for all of them, and less of the coarsest', async () => {
+      const deep = pyramidFiles({ axes: 'czyx', shape: [2, 16, 16, 16], levels: 2 });
+      for (const [limit, n] of [
+        [5 * 16 ** 3, 16],
+        [5 * 16 ** 3 - 1, 8],
+        [5 * 4 ** 3, 4],
+      ]) {
+        const volume = await finishVolume(await readStore(deep, {}, bytes(limit)), roomyLimits);
+        expect(volume.grid.dimensions).to.deep.equal([n, n, n]);
+        expect(volume.channels!.colors.length).to.equal(4 * n ** 3);
+        expect(volume.channels!.list.map(({ samples: { length } }) => length)).to.deep.equal([n ** 3, n ** 3]);
+        expect(volume.reduced?.to).to.deep.equal(n === 16 ? undefined : [n, n, n]);
+      }
+    });
+
+    it('that are more than eight shows eight, and thousands cost no more', async () => {
+      const many = Array.from({ length: 3000 }, () => ({ active: true, color: 'ff0000' }));
+      const tree = memoryTree(
+        pyramidFiles({
+          axes: 'czyx',
+          shape: [3000, 1, 2, 2],
+          type: 'uint8',
+          attributes: { omero: { channels: many } },
+        }),
+      );
+      const volume = await readStore(tree);
+      expect(volume.channels!.list.map(({ number }) => number)).to.deep.equal([1, 2, 3, 4, 5, 6, 7, 8]);
+      expect(volume.left!.join()).to.contain('2992 of 3000 channels');
+      expect(tree.asked.length).to.be.below(20);
+    });
+
+    for (const [name, odd] of Object.entries({
+      'of a text': 'javascript:alert(1)',
+      'that are no list': { channels: 7 },
+      'of odd types': { channels: [null, { color: 5, label: {}, window: { start: 'a', end: NaN }, active: 'no' }] },
+      'of a window that ends first': { channels: [{ window: { start: 9, end: 1 } }, { window: [1, 2] }] },
+      'of a colour that is none': { channels: [{ color: 'javascript:' }, { color: 'red;background:url(//x)' }] },
+      'of endless numbers': { channels: [{ window: { start: -1e308, end: 1e308 } }, { color: '000000' }] },
+    }))
+      it(`is shown with usual colours and windows where the file has words ${name}`, async () => {
+        const made = pyramidFiles({ axes: 'czyx', shape: [2, 4, 4, 4], attributes: { omero: odd } });
+        const volume = await finishVolume(await readStore(made), roomyLimits);
+        expect(volume.channels!.list.map(({ name: label }) => label)).to.deep.equal(['', '']);
+        for (const { color, window } of volume.channels!.list) {
+          expect(color.every((part) => part >= 0 && part <= 1) && Math.max(...color) > 0).to.equal(true);
+          expect(window[1]).to.be.above(window[0]);
+        }
+        expect(volume.range[1]).to.be.above(0.5);
+      });
+
+    it('has names of 60 characters at most, in one line', async () => {
+      const channels = [{ label: `<img src=x onerror=alert(1)>\u2028${'x'.repeat(1e5)}` }, {}];
+      const volume = await readStore(
+        pyramidFiles({ axes: 'czyx', shape: [2, 4, 4, 4], attributes: { omero: { channels } } }),
+      );
+      const [{ name }] = volume.channels!.list;
+      expect(name).to.have.length(60);
+      expect(name).to.match(/^<img src=x onerror=alert\(1\)> x+$/);
+    });
   });
 
   it('of several times becomes scans, with the times of its unit', async () => {

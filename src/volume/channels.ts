@@ -1,0 +1,96 @@
+import type { Vector3 } from './matrix.ts';
+import type { Samples } from './samples.ts';
+
+/** One channel of a volume of several: what a microscope saw of one dye, for instance. */
+export interface Channel {
+  /** Its number in the file, from 1. */
+  readonly number: number;
+  /** What the file calls it; '' where it does not. */
+  readonly name: string;
+  /** Red, green and blue, 0..1. */
+  readonly color: Vector3;
+  /** The data values that are black, and that have all of the colour. */
+  readonly window: readonly [number, number];
+  /** On the grid of the volume. Data value = slope * sample + intercept; NaN means no data. */
+  readonly samples: Samples;
+  readonly slope: number;
+  readonly intercept: number;
+}
+
+/** What makes a volume out of several channels. */
+export interface ChannelColors {
+  /** For each voxel red, green, blue and brightness, 0..255, on the scale of the volume's samples. */
+  readonly colors: Uint8Array<ArrayBuffer>;
+  readonly list: readonly Channel[];
+}
+
+/** Channels as one volume. */
+interface MixedChannels extends ChannelColors {
+  /** The brightness of each voxel: brightness = slope * sample. */
+  readonly samples: Uint8Array<ArrayBuffer>;
+  readonly slope: number;
+}
+
+/**
+ * Adds the light of channels, voxel by voxel. Each one gives its colour times the share of its window, 0..1, at which its value is. The sum of the
+ * shares is the brightness, and the sum of the colours its light: red, green and blue are never above it.
+ * Both are rounded to 255 steps of the largest brightness. Where a channel has no data it gives nothing.
+ */
+export function mixChannels(list: readonly Channel[]): MixedChannels {
+  const { length } = list[0].samples;
+  const shares = list.map(sharesOf);
+  let max = 0;
+  for (let i = 0; i < length; i++) {
+    let sum = 0;
+    for (const share of shares) sum += share(i);
+    if (sum > max) max = sum;
+  }
+  const largest = max || 1;
+  const scale = 255 / largest;
+  const samples = new Uint8Array(length);
+  const colors = new Uint8Array(4 * length);
+  for (let i = 0; i < length; i++) {
+    let [sum, red, green, blue] = [0, 0, 0, 0];
+    for (let c = 0; c < shares.length; c++) {
+      const share = shares[c](i);
+      const { color } = list[c];
+      sum += share;
+      red += share * color[0];
+      green += share * color[1];
+      blue += share * color[2];
+    }
+    samples[i] = colors[4 * i + 3] = Math.round(scale * sum);
+    colors[4 * i] = Math.round(scale * red);
+    colors[4 * i + 1] = Math.round(scale * green);
+    colors[4 * i + 2] = Math.round(scale * blue);
+  }
+  return { samples, slope: largest / 255, colors, list };
+}
+
+/** The share of its window that a channel has in a voxel, 0..1. */
+function sharesOf({ samples, slope, intercept, window: [low, high] }: Channel): (voxel: number) => number {
+  const of = (sample: number): number => {
+    const share = (slope * sample + intercept - low) / (high - low);
+    return share > 0 ? Math.min(1, share) : 0; // NaN is no data.
+  };
+  if (samples instanceof Float32Array) return (voxel) => of(samples[voxel]);
+  const known = Float64Array.from({ length: samples instanceof Uint8Array ? 0x100 : 0x10000 }, (_, sample) =>
+    of(sample),
+  );
+  return (voxel) => known[samples[voxel]];
+}
+
+const planes = new WeakMap<Uint8Array, readonly Uint8Array<ArrayBuffer>[]>();
+
+/** Red, green, blue and brightness of all voxels, each for itself. They are kept as long as the colours are. */
+export function planesOf({ colors }: Pick<ChannelColors, 'colors'>): readonly Uint8Array<ArrayBuffer>[] {
+  const known =
+    planes.get(colors) ??
+    [0, 1, 2, 3].map((part) => {
+      const plane = new Uint8Array(colors.length / 4);
+      for (let voxel = 0; voxel < plane.length; voxel++) plane[voxel] = colors[4 * voxel + part];
+      return plane;
+    });
+  planes.set(colors, known);
+  return known;
+}
