@@ -21,15 +21,17 @@ export async function openTree(
   { kind, ...choice }: { readonly kind: NonNullable<OpenedFiles['source']>['kind'] } & ChannelChoice,
 ): Promise<OpenedFiles | null> {
   const urls = (await store.list()) ?? [];
-  const folders = urls.flatMap((url) => metadata.exec(decodeURIComponent(url.slice(base.length)))?.slice(1, 2) ?? []);
-  const depth = (folder: string | undefined): number => folder?.split('/').length ?? 0;
-  folders.sort((a, b) => depth(a) - depth(b));
+  const folders = urls.flatMap((url) => {
+    const found = metadata.exec(decodeURIComponent(url.slice(base.length)));
+    return found ? [found[1] ?? ''] : [];
+  });
   if (folders.length === 0) return null;
-  return openedTree(
-    new StoreTree(store, new Set(urls), urlInStore(base, folders[0] ?? '') + (folders[0] ? '/' : '')),
-    load,
-    { source: { kind, count: urls.length }, ...choice },
-  );
+  const depth = (folder: string): number => folder.split('/').length;
+  const folder = folders.reduce((least, one) => (depth(one) < depth(least) ? one : least));
+  return openedTree(new StoreTree(store, new Set(urls), urlInStore(base, folder) + (folder && '/')), load, {
+    source: { kind, count: urls.length },
+    ...choice,
+  });
 }
 
 /** Which channels the address asks for. */

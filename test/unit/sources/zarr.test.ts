@@ -148,6 +148,7 @@ describe('an OME-Zarr in an archive or a folder', () => {
           async ({ url }) => {
             const volume = await load({ url });
             expect(volume.samples).to.deep.equal(expected);
+            expect(volume.format, 'the image, not an array of it').to.equal('OME-Zarr 0.5');
             expect(volume.source).to.deep.equal({ kind: 'archive', count: pyramidFiles(sharded).size });
           },
           name,
@@ -180,6 +181,7 @@ describe('an OME-Zarr in an archive or a folder', () => {
       );
     const volume = await load({ url: base, local: { base, files: asFiles(pyramidFiles(pyramid)) } });
     expect(volume.samples).to.deep.equal(expected);
+    expect(volume.format).to.equal('OME-Zarr 0.4');
     expect(volume.source).to.deep.equal({ kind: 'files', count: pyramidFiles(pyramid).size });
     const damaged = pyramidFiles(pyramid);
     damaged.set('0/1/1/1', new Uint8Array(3));
