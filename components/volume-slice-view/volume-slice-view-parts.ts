@@ -47,7 +47,10 @@ function writeLength(length: number, volume: Volume, { language, messages }: Sli
 /** The position of the slice: `S 23.5 mm`, or a number where the file does not say whose axes they are. */
 export function describePlace(pane: SlicePane, locale: SliceLocale): string {
   const { normal } = pane.plane;
-  const d = Number(toPlane(pane.plane, pane.place).d.toFixed(2));
+  // A tenth of a voxel: a hundredth of a millimetre is a whole cell.
+  const finest = Math.min(...(pane.sliced?.volume.grid.spacing ?? [1]));
+  const decimals = Math.min(6, Math.max(2, Math.ceil(1 - Math.log10(finest))));
+  const d = Number(toPlane(pane.plane, pane.place).d.toFixed(decimals));
   if (!pane.sliced) return locale.language.number(d);
   const { volume } = pane.sliced;
   if (!isPatient(volume)) return writeLength(d, volume, locale);
@@ -113,7 +116,7 @@ export function renderTexts(pane: SlicePane, locale: SliceLocale): unknown {
   const length = (value: number): string => writeLength(value, pane.sliced!.volume, locale);
   return html`
     <div class="text top left" part="place">${describePlace(pane, locale)}${appearance.thickness > 0 ? html`<br />${messages.slab[appearance.projection](length(appearance.thickness))}` : nothing}</div>
-    ${appearance.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(...writeWindow(pane, locale))}</div>`}
+    ${appearance.colors || pane.sliced!.volume.channels ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, locale)}>${messages.window(...writeWindow(pane, locale))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
     <div class="text bottom right" part="value"><span class="told">${describeValue(pane, locale)}</span></div>
   `;

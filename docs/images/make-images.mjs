@@ -241,6 +241,9 @@ const pictures = [
     ],
     2,
   ),
+  card('microscopy', [
+    { attributes: { src: '/demos/data/cells-synthetic.ozx', 'camera-orbit': '25deg 38deg 58%' } },
+  ]),
   card('radar', [
     {
       attributes: {

@@ -14,7 +14,7 @@ import type { OmeChannel } from './ome-channels.ts';
 const mixedBytes = 5;
 
 /** The opacity of a reference length where one channel has all of its colour. */
-const fullOpacity = 0.25;
+const fullOpacity = 0.2;
 
 /** Samples of one channel of a box. */
 export interface ChannelSamples {
