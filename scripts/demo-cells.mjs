@@ -227,7 +227,8 @@ function paintDividing({ dna, tubes, mitochondria }) {
 
 /** Numbers of 8 bits; what is brightest is a few voxels, which are cut. @param {Light} light @param {number} share - that is kept */
 function expose({ values }, share) {
-  const sorted = values.toSorted();
+  const sorted = new Float32Array(values);
+  sorted.sort();
   const most = sorted[Math.floor(share * (sorted.length - 1))];
   return Uint8Array.from(values, (value) => Math.round(dark + (bright - dark) * Math.min(1, value / most)));
 }

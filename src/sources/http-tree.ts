@@ -75,6 +75,13 @@ export class HttpTree implements Pick<FileTree, 'read'> {
     });
   }
 
+  /** Bytes of a file that is fetched for this, and kept. Null where it is not there. @throws {VolumeViewError} `source/…` */
+  async wholeSize(path: string): Promise<number | null> {
+    const bytes = await this.read(path);
+    if (bytes) this.#keep(this.#urlOf(path), bytes);
+    return bytes?.length ?? null;
+  }
+
   #urlOf(path: string): string {
     return this.base + path.split('/').map(encodeURIComponent).join('/') + this.search;
   }

@@ -35,7 +35,8 @@ export async function openZarr(
   if (!isFile) return openedTree(tree, load, choice);
   const archive: ByteStore = {
     list: async () => null,
-    stat: async () => ({ size: await tree.size('') }),
+    // A server that hides how long a file is may send it.
+    stat: async () => ({ size: (await tree.size('')) ?? (await tree.wholeSize('')) }),
     async read(url, { range } = {}) {
       const bytes = await tree.read('', { part: range });
       if (bytes) return { bytes, url, contentType: '' };

@@ -197,7 +197,8 @@ function checkPlaces(entries: readonly Listed[], listStart: number, name: string
     const nextStart = places[i + 1]?.start ?? listStart;
     if (!(end <= nextStart)) throw corruptZip(name, 'lists files that overlap');
   }
-  return entries.map(({ next: _next, ...entry }) => entry);
+  const ends = new Map(places.map((entry, i) => [entry, places[i + 1]?.start ?? listStart]));
+  return entries.map(({ next: _next, ...entry }, i) => ({ ...entry, end: ends.get(entries[i])! }));
 }
 
 /** NaN where it is too large to be exact. */

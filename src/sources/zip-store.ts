@@ -23,8 +23,14 @@ const methods: Readonly<Record<number, string>> = {
 /** Packed bytes that are read in addition to those of a range, for what says how they are packed. */
 const startOnTrust = 2 ** 10;
 
+/** Bytes of a name and other fields before a file, and of what may follow it, that are read with it. */
+const maxHeader = 2 ** 12;
+
 /** The files in a ZIP archive, which is itself a file of another store. */
 export class ZipStore implements ByteStore {
+  /** Where the packed bytes of files begin: each header is read once. */
+  readonly #dataStarts = new Map<ZipEntry, number>();
+
   /**
    * @param base - of the files' URLs, ends with a slash
    * @param name - of the archive, for messages
@@ -100,11 +106,24 @@ export class ZipStore implements ByteStore {
         'expected Deflate, which every program for ZIP archives can write',
       );
     }
-    const header = await this.readBytes(start, start + localBytes);
+    // Of most files the header is short, so that it comes with the rest in one request.
+    if (!range && entry.end - start <= localBytes + packed + maxHeader) {
+      const all = await this.readBytes(start, entry.end);
+      const from = this.#dataStart(all);
+      if (from + packed > all.length) throw corruptZip(this.name, 'lists files that overlap');
+      return all.subarray(from, from + packed);
+    }
+    const known = this.#dataStarts.get(entry);
+    const dataStart = known ?? start + this.#dataStart(await this.readBytes(start, start + localBytes));
+    this.#dataStarts.set(entry, dataStart);
+    return this.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
+  }
+
+  /** Where the packed bytes of a file begin after its header. */
+  #dataStart(header: Uint8Array<ArrayBuffer>): number {
     const view = new DataView(header.buffer, header.byteOffset, localBytes);
     if (view.getUint32(0, true) !== 0x04034b50) throw corruptZip(this.name, 'has no file where its list says');
-    const dataStart = start + localBytes + view.getUint16(26, true) + view.getUint16(28, true);
-    return this.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
+    return localBytes + view.getUint16(26, true) + view.getUint16(28, true);
   }
 
   /** Unpacks a file, and checks its length and its checksum. */

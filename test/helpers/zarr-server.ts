@@ -13,6 +13,8 @@ export interface ZarrFaults {
   readonly failEvery?: number;
   /** In place of 404 for what is not there. */
   readonly missingStatus?: number;
+  /** Whether no answer says how long it is. */
+  readonly hidesSizes?: boolean;
   /** Milliseconds before each answer. */
   readonly slowMs?: number;
 }
@@ -37,7 +39,7 @@ export async function startZarr(
   faults: ZarrFaults = {},
   name = 'brain.ome.zarr',
 ): Promise<ZarrServer> {
-  const { ranges = true, open = true, failEvery = 0, missingStatus = 404, slowMs = 0 } = faults;
+  const { ranges = true, open = true, failEvery = 0, missingStatus = 404, slowMs = 0, hidesSizes = false } = faults;
   const asked: string[] = [];
   let [running, most, sent, count] = [0, 0, 0, 0];
   const folder = `/data/${name}`;
@@ -61,7 +63,7 @@ export async function startZarr(
       response.statusCode = 206;
       response.setHeader('Content-Range', `bytes ${start}-${end - 1}/${file.length}`);
     }
-    response.setHeader('Content-Length', bytes.length);
+    if (!hidesSizes) response.setHeader('Content-Length', bytes.length);
     if (request.method === 'HEAD') return void response.end();
     sent += bytes.length;
     if (!isFailing) return void response.end(bytes);

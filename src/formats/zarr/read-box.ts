@@ -5,14 +5,19 @@ import { asNumbers, copyChunk } from './copy-chunk.ts';
 import type { FileTree } from './file-tree.ts';
 import { listChunks } from './list-chunks.ts';
 import type { ArrayBox } from './list-chunks.ts';
-import { readFromShards } from './read-shards.ts';
-import type { ReadPacked } from './read-shards.ts';
+import { listRuns } from './read-shards.ts';
 import { loadUnpacker } from './unpack-chunk.ts';
 import { maxChunkBytes } from './zarr-array.ts';
 import type { ZarrArray } from './zarr-array.ts';
 
 /** Chunks that are on their way at once, and the bytes of their numbers. */
 const [atOnce, bytesAtOnce] = [8, 2 ** 28];
+
+/** Chunks that come by one request: null for one that is missing. */
+interface Pieces {
+  readonly places: readonly (readonly number[])[];
+  read(): Promise<readonly (Uint8Array<ArrayBuffer> | null)[]>;
+}
 
 interface BoxReading {
   readonly budget: Budget;
@@ -46,28 +51,36 @@ export async function readBox(
   // One failure ends the others.
   const failed = new AbortController();
   const all = signal ? anyOf(signal, failed) : failed.signal;
-  const read: ReadPacked = array.shards
-    ? readFromShards(tree, { ...array, shards: array.shards }, { budget, signal: all })
-    : (place) => tree.read(array.path + array.fileOf(place), { maxBytes: 2 * maxChunkBytes, signal: all });
+  const readAlone = async (place: readonly number[]): Promise<readonly (Uint8Array<ArrayBuffer> | null)[]> => [
+    await tree.read(array.path + array.fileOf(place), { maxBytes: 2 * maxChunkBytes, signal: all }),
+  ];
+  const most = Math.max(1, Math.min(atOnce, bytesAtOnce / chunkBytes));
   let [next, done] = [0, 0];
+  let runs: readonly Pieces[] = [];
   const work = async (): Promise<void> => {
-    while (next < places.length) {
-      const place = places[next++];
-      const packed = await read(place);
+    while (next < runs.length) {
+      const { places: own, read } = runs[next++];
+      const several = await read();
       all.throwIfAborted();
-      if (packed) {
-        budget.addFile(packed.length);
-        budget.take(packed.length + chunkBytes, 'a chunk of the Zarr');
-        copyChunk(asNumbers(await unpack(packed), size), place, { array, box, output });
-        budget.giveBack(packed.length + chunkBytes);
+      const bytesOfAll = several.reduce((sum, one) => sum + (one?.length ?? 0), 0);
+      budget.addFile(bytesOfAll);
+      budget.take(bytesOfAll + chunkBytes, 'a chunk of the Zarr');
+      for (const [i, packed] of several.entries()) {
+        if (packed) copyChunk(asNumbers(await unpack(packed), size), own[i], { array, box, output });
+        done++;
+        onProgress(Math.round((done / places.length) * total), total);
       }
-      done++;
-      onProgress(Math.round((done / places.length) * total), total);
+      budget.giveBack(bytesOfAll + chunkBytes);
     }
   };
   onProgress(0, total);
   try {
-    await Promise.all(Array.from({ length: Math.max(1, Math.min(atOnce, bytesAtOnce / chunkBytes)) }, work));
+    runs = array.shards
+      ? await listRuns(tree, { ...array, shards: array.shards }, places, { budget, signal: all, atOnce })
+      : places.map((place) => ({ places: [place], read: () => readAlone(place) }));
+    done = places.length - runs.reduce((sum, run) => sum + run.places.length, 0); // The others are missing.
+    await Promise.all(Array.from({ length: most }, work));
+    onProgress(total, total);
   } catch (cause) {
     failed.abort(cause);
     throw cause;

@@ -1,5 +1,6 @@
 import type { Budget } from '../base/budget.ts';
 import { corruptFile } from '../base/file-problem.ts';
+import { readAhead } from '../base/read-ahead.ts';
 import { crc32c } from '../codecs/crc32c.ts';
 import type { FilePart, FileTree } from './file-tree.ts';
 import { maxChunkBytes } from './zarr-array.ts';
@@ -10,47 +11,140 @@ const what = 'a shard of the Zarr';
 /** What an index has in both numbers of a chunk that is missing. */
 const nothing = 2n ** 64n - 1n;
 
-/** Reads the packed bytes of a chunk; null where it is missing. */
-export type ReadPacked = (place: readonly number[]) => Promise<Uint8Array<ArrayBuffer> | null>;
+/** Chunks of one shard are read together up to so many bytes; bytes between two of them that are read too, as a request costs more. */
+const [maxRunBytes, maxGapBytes] = [2 ** 22, 2 ** 14];
 
-/** Where the chunks of shards lie: each index is read once. */
-export function readFromShards(
+/** Chunks that are read together. */
+export interface ChunkRun {
+  /** Their places in the array. */
+  readonly places: readonly (readonly number[])[];
+  /** Reads their packed bytes, in their order. */
+  read(): Promise<readonly Uint8Array<ArrayBuffer>[]>;
+}
+
+/** Where a chunk lies in its shard. */
+interface PlacedChunk {
+  readonly place: readonly number[];
+  /** Its rank among those that are wanted. */
+  readonly rank: number;
+  readonly start: number;
+  readonly end: number;
+}
+
+interface ShardReading {
+  readonly budget: Budget;
+  readonly signal?: AbortSignal;
+  /** Shards whose indices are read at once. */
+  readonly atOnce: number;
+}
+
+/**
+ * Divides the chunks of shards into parts of files that are read by one request each: neighbours together. Those that are wanted first come first;
+ * chunks that are missing are left out. Reads the index of each shard.
+ * @param places - of the chunks in the array, by how much they are wanted
+ * @throws {VolumeViewError} `format/corrupt`, `source/…`
+ */
+export async function listRuns(
   tree: Pick<FileTree, 'read'>,
   array: ZarrArray & { readonly shards: Sharding },
-  { budget, signal }: { readonly budget: Budget; readonly signal?: AbortSignal },
-): ReadPacked {
+  places: readonly (readonly number[])[],
+  { budget, signal, atOnce }: ShardReading,
+): Promise<ChunkRun[]> {
   const { shards, chunk } = array;
   const counts = shards.shape.map((n, axis) => n / chunk[axis]);
-  const chunks = counts.reduce((product, n) => product * n, 1);
+  const wanted = new Map<string, { readonly place: readonly number[]; readonly rank: number }[]>();
+  for (const [rank, place] of places.entries()) {
+    const path = array.path + array.fileOf(place.map((n, axis) => Math.floor(n / counts[axis])));
+    const known = wanted.get(path);
+    if (known) known.push({ place, rank });
+    else wanted.set(path, [{ place, rank }]);
+  }
+  const ranked: { readonly run: ChunkRun; readonly rank: number }[] = [];
+  const readIndex = (path: string): Promise<DataView | null> =>
+    readIndexOf(tree, path, { shards, chunks: counts.reduce((product, n) => product * n, 1), budget, signal });
+  const paths = [...wanted.keys()];
+  let next = 0;
+  for await (const index of readAhead(paths, readIndex, atOnce)) {
+    const path = paths[next++];
+    if (index.status === 'rejected') throw index.reason;
+    const { value: view } = index;
+    if (!view) continue;
+    const found = wanted.get(path)!.flatMap(({ place, rank }): PlacedChunk[] => {
+      const inside = place.reduce((sum, n, axis) => sum * counts[axis] + (n % counts[axis]), 0);
+      const span = readSpan(view, inside);
+      return span ? [{ place, rank, ...span }] : [];
+    });
+    budget.giveBack(view.byteLength);
+    for (const chunks of joinChunks(found))
+      ranked.push({
+        rank: Math.min(...chunks.map(({ rank }) => rank)),
+        run: { places: chunks.map(({ place }) => place), read: () => readRun(tree, path, chunks, signal) },
+      });
+  }
+  ranked.sort((a, b) => a.rank - b.rank);
+  return ranked.map(({ run }) => run);
+}
+
+async function readIndexOf(
+  tree: Pick<FileTree, 'read'>,
+  path: string,
+  {
+    shards,
+    chunks,
+    budget,
+    signal,
+  }: { readonly shards: Sharding; readonly chunks: number; readonly budget: Budget; readonly signal?: AbortSignal },
+): Promise<DataView | null> {
   const indexBytes = 16 * chunks + (shards.hasChecksum ? 4 : 0);
   const part: FilePart = shards.isIndexFirst ? { start: 0, end: indexBytes } : { last: indexBytes };
-  const indices = new Map<string, Promise<DataView | null>>();
-  const readIndex = async (path: string): Promise<DataView | null> => {
-    const bytes = await tree.read(path, { part, signal });
-    if (!bytes) return null;
-    budget.addFile(bytes.length);
-    budget.take(bytes.length, what);
-    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-    if (bytes.length !== indexBytes)
-      throw corruptFile(what, `has ${bytes.length} bytes where its index of ${indexBytes} belongs`);
-    if (shards.hasChecksum && crc32c(bytes.subarray(0, -4)) !== view.getUint32(indexBytes - 4, true))
-      throw corruptFile(what, 'has an index with a wrong checksum');
-    return view;
-  };
-  return async (place) => {
-    const path = array.path + array.fileOf(place.map((n, axis) => Math.floor(n / counts[axis])));
-    let coming = indices.get(path);
-    if (!coming) indices.set(path, (coming = readIndex(path)));
-    const index = await coming;
-    if (!index) return null;
-    const inside = place.reduce((sum, n, axis) => sum * counts[axis] + (n % counts[axis]), 0);
-    const [start, length] = [index.getBigUint64(16 * inside, true), index.getBigUint64(16 * inside + 8, true)];
-    if (start === nothing && length === nothing) return null;
-    const end = Number(start + length);
-    if (!Number.isSafeInteger(end) || length > 2 * maxChunkBytes)
-      throw corruptFile(what, 'says that a chunk lies where no file has it');
-    const bytes = await tree.read(path, { part: { start: Number(start), end }, signal });
-    if (bytes?.length === Number(length)) return bytes;
-    throw corruptFile(what, `has ${bytes?.length ?? 0} bytes of a chunk of ${String(length)}: it is cut short`);
-  };
+  const bytes = await tree.read(path, { part, signal });
+  if (!bytes) return null;
+  budget.addFile(bytes.length);
+  budget.take(bytes.length, what);
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  if (bytes.length !== indexBytes)
+    throw corruptFile(what, `has ${bytes.length} bytes where its index of ${indexBytes} belongs`);
+  if (shards.hasChecksum && crc32c(bytes.subarray(0, -4)) !== view.getUint32(indexBytes - 4, true))
+    throw corruptFile(what, 'has an index with a wrong checksum');
+  return view;
+}
+
+/** Where a chunk lies; null where it is missing. */
+function readSpan(index: DataView, inside: number): { readonly start: number; readonly end: number } | null {
+  const [start, length] = [index.getBigUint64(16 * inside, true), index.getBigUint64(16 * inside + 8, true)];
+  if (start === nothing && length === nothing) return null;
+  const end = Number(start + length);
+  if (!Number.isSafeInteger(end) || length > 2 * maxChunkBytes)
+    throw corruptFile(what, 'says that a chunk lies where no file has it');
+  return { start: Number(start), end };
+}
+
+/** Chunks that lie side by side in a shard, or nearly. Those that overlap, as no program writes them, are read one by one. */
+function joinChunks(chunks: readonly PlacedChunk[]): PlacedChunk[][] {
+  const runs: PlacedChunk[][] = [];
+  const ordered = [...chunks];
+  ordered.sort((a, b) => a.start - b.start);
+  for (const chunk of ordered) {
+    const run = runs.at(-1);
+    const gap = run ? chunk.start - run.at(-1)!.end : Infinity;
+    if (run && gap >= 0 && gap <= maxGapBytes && chunk.end - run[0].start <= maxRunBytes) run.push(chunk);
+    else runs.push([chunk]);
+  }
+  return runs;
+}
+
+async function readRun(
+  tree: Pick<FileTree, 'read'>,
+  path: string,
+  chunks: readonly PlacedChunk[],
+  signal: AbortSignal | undefined,
+): Promise<readonly Uint8Array<ArrayBuffer>[]> {
+  const { start } = chunks[0];
+  const { end } = chunks.at(-1)!;
+  const bytes = end > start ? await tree.read(path, { part: { start, end }, signal }) : new Uint8Array();
+  return chunks.map((chunk) => {
+    const own = bytes?.subarray(chunk.start - start, chunk.end - start);
+    if (own?.length === chunk.end - chunk.start) return own;
+    throw corruptFile(what, `has ${own?.length ?? 0} bytes of a chunk of ${chunk.end - chunk.start}: it is cut short`);
+  });
 }

@@ -88,6 +88,31 @@ describe('an OME-Zarr on a server', () => {
     });
   });
 
+  it('in shards asks once for the neighbours in a shard, and not for what lies far between them', async () => {
+    const files = pyramidFiles({ ...sharded, levels: 1 });
+    const shards = [...files.keys()].filter((path) => path.startsWith('0/c/'));
+    await withServer(files, {}, async ({ url, asked }) => {
+      expect((await load({ url })).samples).to.deep.equal(expected);
+      const ofShards = asked.filter((one) => one.includes('0/c/') && one.startsWith('GET'));
+      expect(ofShards.length, 'an index and one part').to.equal(2 * shards.length);
+    });
+    // Of a large shard the middle is left out: 2 x 1 x 1 chunks of 4 x 64 x 64 floats, with others between them.
+    const large = pyramidFiles({
+      version: 3,
+      type: 'float32',
+      shape: [8, 64, 192],
+      chunk: [4, 64, 64],
+      shard: [8, 64, 192],
+      unit: 'millimeter',
+    });
+    await withServer(large, {}, async ({ url, asked, sent }) => {
+      const { grid } = await load({ url, settings: { region: [-3, -63, 0, 0, 0, 7] } });
+      expect(grid.kind === 'cartesian' && grid.dimensions).to.deep.equal([4, 64, 8]);
+      expect(asked.filter((one) => one.startsWith('GET 0/c/'))).to.have.length(3);
+      expect(sent()).to.be.below(2.1 * 4 * 64 * 64 * 4);
+    });
+  });
+
   it('with a query after its address has it on all of its files', async () => {
     await withServer(pyramidFiles(pyramid), {}, async ({ url }) => {
       expect((await load({ url: `${url}?sig=1` })).samples).to.deep.equal(expected);
@@ -169,6 +194,36 @@ describe('an OME-Zarr in an archive or a folder', () => {
       },
       'brain.ozx',
     );
+  });
+
+  it('.ozx needs one request for each of its files, and three for their list', async () => {
+    const files = pyramidFiles(pyramid);
+    await withServer(
+      new Map([['', zipOf(files)]]),
+      {},
+      async ({ url, asked }) => {
+        expect((await load({ url })).samples).to.deep.equal(expected);
+        expect(asked.length).to.be.at.most(files.size + 3);
+      },
+      'brain.ozx',
+    );
+  });
+
+  it('.zarr.zip is read by parts of it, and as a whole from a server that hides how long it is', async () => {
+    const zip = zipOf(
+      pyramidFiles({ ...sharded, shape: [24, 60, 98], type: 'float32', unit: 'millimeter', levels: 1 }),
+    );
+    for (const hidesSizes of [false, true])
+      await withServer(
+        new Map([['', zip]]),
+        { hidesSizes, ranges: !hidesSizes },
+        async ({ url, sent, asked }) => {
+          await load({ url, settings: { region: [-3, -3, 0, 0, 0, 2] } });
+          expect(sent()).to.be[hidesSizes ? 'equal' : 'below'](hidesSizes ? zip.length : zip.length / 5);
+          if (hidesSizes) expect(asked).to.deep.equal(['HEAD ', 'GET ']);
+        },
+        'brain.zarr.zip',
+      );
   });
 
   it('of chosen files is read, and no message has their names', async () => {
