@@ -241,9 +241,7 @@ const pictures = [
     ],
     2,
   ),
-  card('microscopy', [
-    { attributes: { src: '/demos/data/cells-synthetic.ozx', 'camera-orbit': '25deg 38deg 58%' } },
-  ]),
+  card('microscopy', [{ attributes: { src: '/demos/data/cells-synthetic.ozx', 'camera-orbit': '25deg 38deg 58%' } }]),
   card('radar', [
     {
       attributes: {

@@ -95,9 +95,12 @@ async function loadTree({ files, settings = {} }: FilesCase): Promise<Finding | 
 
 /** What a page does with a volume before it is drawn, and whether all numbers are ones that can be drawn with. */
 function judgeVolume(volume: Volume): Finding | null {
-  const { samples, macrocells: _cells, histogram, ...rest } = volume;
+  const { samples, macrocells: _cells, histogram, channels, ...rest } = volume;
+  // Samples may be NaN: no data.
+  const ofChannels = channels?.list.map(({ samples: _values, ...one }) => one);
   const wrong =
     findOdd(rest, '') ??
+    findOdd(ofChannels, 'channels') ??
     findOdd(boundingSphere(volume.grid), 'boundingSphere') ??
     findOdd(Array.from(histogram.counts), 'histogram');
   if (wrong) return { kind: 'not finite', detail: wrong };
@@ -111,7 +114,11 @@ function judgeVolume(volume: Volume): Finding | null {
     return null;
   }
   const voxels = volume.grid.dimensions.reduce((product, n) => product * n, 1);
-  return samples.length === voxels
+  const isWhole =
+    samples.length === voxels &&
+    (channels?.colors.length ?? 4 * voxels) === 4 * voxels &&
+    (channels?.list.every((one) => one.samples.length === voxels) ?? true);
+  return isWhole
     ? null
     : { kind: 'samples', detail: `${samples.length} samples for ${volume.grid.dimensions.join(' x ')}` };
 }
