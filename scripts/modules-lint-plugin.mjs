@@ -20,7 +20,7 @@ export const MAY_IMPORT = {
   sources: ['core', 'formats'],
   worker: ['core', 'page', 'volume', 'optics', 'radar', 'formats', 'sources'],
   prepare: ['core', 'volume', 'optics', 'radar', 'quality', 'formats', 'sources', 'viewer'],
-  packages: ['core', 'sources', 'prepare'],
+  packages: ['core', 'sources', 'prepare', 'index'],
   renderer: ['core', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['core', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   'x3d/nodes': ['core', 'page', 'volume', 'optics', 'formats', 'worker', 'viewer/model'],
@@ -139,10 +139,10 @@ export const FOLDERS = {
 };
 
 /**
- * Packages that only one module may import.
- * @type {Record<string, string>}
+ * Packages that only some modules may import.
+ * @type {Record<string, string[]>}
  */
-const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'messages' };
+const OWNED_PACKAGES = { lit: ['components', 'packages'], x3dom: ['x3d'], '@shoelace-style': ['messages'] };
 
 /** Modules in the folder of another module. */
 const NESTED = ['radar/gpu', 'x3d/nodes'];
@@ -214,9 +214,9 @@ const oneWay = {
         if (problem) context.report({ node: source, message: problem });
         return;
       }
-      const owner = OWNED_PACKAGES[name.replace(/^@lit\//, 'lit/').split('/')[0]];
-      if (owner && owner !== own) {
-        context.report({ node: source, message: `only ${owner} may import ${name}` });
+      const owners = OWNED_PACKAGES[name.replace(/^@lit\//, 'lit/').split('/')[0]];
+      if (owners && !owners.includes(own)) {
+        context.report({ node: source, message: `only ${owners.join(' and ')} may import ${name}` });
       }
     };
     return {

@@ -39,6 +39,8 @@ export interface DecodeOptions {
   readonly moment?: string;
   /** Maximum bytes that one volume may take. */
   readonly deviceBytes: number;
+  /** Only this one of several series, by its number; all of them if undefined. */
+  readonly series?: number;
 }
 
 /**
@@ -52,8 +54,10 @@ export async function* decodeSource(
   options: DecodeOptions,
 ): AsyncGenerator<SourceVolume | SourceFailure> {
   let number = 0;
-  const first = await decodeScans(store, source, options, {});
+  const { series: only } = options;
+  const first = await decodeScans(store, source, options, only === undefined ? {} : { series: only });
   for await (const one of first.scans) yield { number: ++number, series: 0, ...one };
+  if (only !== undefined) return;
   for (const [i, series] of first.others.entries()) {
     try {
       const { scans } = await decodeScans(store, source, options, { series });

@@ -26,7 +26,10 @@ const words = [
   [/\bwhat is there\b/i, 'name it'],
 ];
 
-const folders = ['src', 'components', 'shaders', 'packages/prepare/src', 'packages/lesson-writers/src'];
+const folders = [
+  ...['src', 'components', 'shaders'],
+  ...['prepare', 'lesson-writers', 'studio'].map((name) => `packages/${name}/src`),
+];
 const files = folders.flatMap((folder) =>
   readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })
     .map((name) => `${folder}/${name.replaceAll('\\', '/')}`)

@@ -1,0 +1,96 @@
+// Writes the files that an author takes away, and opens them again.
+import { unzipSync, zipSync } from 'fflate';
+import type { Zippable } from 'fflate';
+import { writePageFiles, writeScormFiles } from '../../../lesson-writers/src/index.ts';
+import type { Lesson as WrittenLesson, LessonFile } from '../../../lesson-writers/src/index.ts';
+import type { Lesson } from '../model/lesson.ts';
+import { readLessonHtml } from '../model/read-lesson.ts';
+import { writeLessonHtml } from '../model/write-lesson.ts';
+import { loadPart } from './parts.ts';
+import { newDataId } from './prepare.ts';
+import type { LessonData } from './prepare.ts';
+
+export type ExportKind = 'page' | 'scorm' | 'scorm-2004';
+
+/** The lesson as the writers take it. */
+export function toWritten(lesson: Lesson, data: LessonData): WrittenLesson {
+  const { title, language, licence, credits } = lesson;
+  return { html: writeLessonHtml(lesson, data.files[0].path), files: data.files, title, language, licence, credits };
+}
+
+/**
+ * @param pass - percent of the questions to pass; null for none
+ * @throws {LessonError} where the writers refuse something
+ */
+export async function exportLesson(
+  lesson: Lesson,
+  data: LessonData,
+  kind: ExportKind,
+  pass: number | null,
+): Promise<Uint8Array> {
+  const player = Object.entries(unzipSync(await loadPart('player'))).map(([path, bytes]) => ({ path, bytes }));
+  const written = toWritten(lesson, data);
+  const files =
+    kind === 'page'
+      ? writePageFiles(written, player)
+      : writeScormFiles(written, player, { version: kind === 'scorm' ? '1.2' : '2004', pass });
+  return zipFiles(files);
+}
+
+/** A fixed time, so that the same lesson always gives the same bytes. ZIP knows no time zones and no earlier year. */
+const zipTime = new Date(1980, 0, 2);
+
+function zipFiles(files: readonly LessonFile[]): Uint8Array {
+  const entries: Zippable = {};
+  for (const { path, bytes } of files)
+    entries[path] = [bytes, { level: /\.(?:gz|png)$/i.test(path) ? 0 : 6, mtime: zipTime }];
+  return zipSync(entries);
+}
+
+/** A lesson that was opened. */
+export interface OpenedLesson {
+  readonly lesson: Lesson;
+  /** null where only its HTML was opened. */
+  readonly data: LessonData | null;
+  readonly left: readonly string[];
+}
+
+/** Bytes of all files of a package that is opened. */
+const maxBytes = 2 ** 29;
+
+/** Opens a package or a page of a lesson. @returns null where it is none */
+export async function openLesson(file: Blob): Promise<OpenedLesson | null> {
+  if (file.size > maxBytes) return null;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const isZip = bytes[0] === 0x50 && bytes[1] === 0x4b;
+  if (!isZip) {
+    const read = readLessonHtml(new TextDecoder().decode(bytes));
+    return read && { lesson: read.lesson, data: null, left: read.left };
+  }
+  return openPackage(bytes);
+}
+
+function openPackage(bytes: Uint8Array): OpenedLesson | null {
+  let files: Record<string, Uint8Array>;
+  let total = 0;
+  try {
+    files = unzipSync(bytes, {
+      filter: ({ name, originalSize }) =>
+        /^(index\.html|data\/[^/]+)$/.test(name) && (total += originalSize) <= maxBytes,
+    });
+  } catch {
+    return null; // It is damaged, or no archive.
+  }
+  const page = files['index.html'];
+  const read = page && readLessonHtml(new TextDecoder().decode(page));
+  if (!read) return null;
+  const first = decodeURIComponent(read.src).replace(/#.*$/, '');
+  const names = Object.keys(files).filter((name) => name.startsWith('data/') && name !== first);
+  const data: LessonData | null = files[first]
+    ? {
+        id: newDataId(),
+        files: [first, ...names].map((name) => ({ path: name.replace(/^data\//, ''), bytes: files[name] })),
+      }
+    : null;
+  return { lesson: { ...read.lesson, data: data?.id ?? null }, data, left: read.left };
+}

@@ -1,0 +1,143 @@
+// Takes the lesson away: as a file for a web server or a course, or as HTML to copy.
+import { html, nothing } from 'lit';
+import { exportLesson } from '../data/export-lesson.ts';
+import type { ExportKind } from '../data/export-lesson.ts';
+import { findLacks } from '../model/check-lesson.ts';
+import type { Lack } from '../model/check-lesson.ts';
+import { writeLessonHtml } from '../model/write-lesson.ts';
+import { aboutField } from './about-panel.ts';
+import { textField } from './fields.ts';
+import { icon } from './icons.ts';
+import type { Studio, Tab } from './studio.ts';
+
+/** What the author chose, as long as the page is open. */
+const chosen = { kind: 'page' as ExportKind, pass: '', said: '', isBusy: false };
+
+export function renderExport(studio: Studio): unknown {
+  const { words, lesson } = studio;
+  const lacks = findLacks(lesson);
+  const choose = (kind: ExportKind): void => {
+    Object.assign(chosen, { kind, said: '' });
+    studio.draw();
+  };
+  return html`<h2 id="export-title">${words.exportTitle}</h2>
+    ${(['title', 'credits', 'licence'] as const).map((name) => aboutField(studio, name, 'export'))}
+    <p class="warning">${words.faceWarning}</p>
+    ${lacks.length > 0 ? renderLacks(studio, lacks) : nothing}
+    <fieldset class="kinds">
+      <legend>${words.format}</legend>
+      ${Object.entries(words.exportKinds).map(
+        ([
+          kind,
+          [name, hint],
+        ]) => html`<label class="kind"><input type="radio" name="kind" value=${kind} .checked=${chosen.kind === kind} @change=${() => choose(kind as ExportKind)} />
+          <span><b>${name}</b><br />${hint}</span></label>`,
+      )}
+    </fieldset>
+    ${
+      chosen.kind === 'page'
+        ? nothing
+        : textField({
+            id: 'export-pass',
+            label: words.pass,
+            value: chosen.pass,
+            onInput: (text) => {
+              chosen.pass = text;
+              studio.draw();
+            },
+          })
+    }
+    <div class="row">
+      <button class="primary" id="download" ?disabled=${lacks.length > 0 || chosen.isBusy} @click=${() => void download(studio)}>${icon('take')} ${words.download}</button>
+    </div>
+    <p role="status" class="said">${chosen.said}</p>
+    <h3>${words.copyTitle}</h3>
+    <p class="hint">${words.copyHint}</p>
+    <textarea id="export-html" readonly rows="5" dir="ltr" spellcheck="false" aria-label=${words.html} .value=${writeLessonHtml(lesson, 'data/volume.json')}></textarea>
+    <div class="row">
+      <button id="copy-html" @click=${() => void copy(studio)}>${words.copy}</button>
+      <button @click=${() => studio.show({ dialog: null })}>${words.close}</button>
+    </div>`;
+}
+
+function renderLacks(studio: Studio, lacks: readonly Lack[]): unknown {
+  const { words } = studio;
+  return html`<section class="lacks" aria-labelledby="lacks-title">
+    <h3 id="lacks-title">${words.lacksTitle}</h3>
+    <ul>
+      ${lacks.map(
+        (lack) => html`<li>
+          ${describe(studio, lack)}
+          ${lack.id ? html`<button class="link" @click=${() => goTo(studio, lack)}>${words.goThere}</button>` : nothing}
+        </li>`,
+      )}
+    </ul>
+  </section>`;
+}
+
+function describe({ words }: Studio, { kind, number }: Lack): string {
+  const text = words.lacks[kind];
+  if (number === undefined) return text;
+  return kind === 'note-place' ? words.lackOfNote(number, text) : words.lackOfStep(number, text);
+}
+
+function goTo(studio: Studio, { kind, id }: Lack): void {
+  const tab: Tab = kind === 'note-place' ? 'notes' : 'steps';
+  studio.show({ dialog: null, tab, ...(tab === 'notes' ? { note: id ?? null } : {}) });
+  if (tab === 'steps') studio.openStep(id ?? null);
+}
+
+async function download(studio: Studio): Promise<void> {
+  const { words, lesson, data } = studio;
+  const { kind, pass } = chosen;
+  const say = (said: string, isBusy = false): void => {
+    Object.assign(chosen, { said, isBusy });
+    studio.draw();
+  };
+  const percent = kind === 'page' || pass.trim() === '' ? null : Number(pass);
+  if (percent !== null && !(percent >= 1 && percent <= 100)) return say(words.passWrong);
+  if (!data) return say(words.lacks.data);
+  say(words.exporting, true);
+  // The words are shown before the work begins.
+  await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+  try {
+    const bytes = await exportLesson(lesson, data, kind, percent);
+    const name = `${nameOf(lesson.title)}${kind === 'page' ? '' : `-${kind}`}.zip`;
+    save(bytes, name);
+    say(words.exported(name, words.megabytes(bytes.length)));
+  } catch (error) {
+    say(words.exportFailed(error instanceof Error ? error.message : ''));
+  }
+}
+
+/** The name of a file that all systems take. */
+const nameOf = (title: string): string =>
+  title
+    .normalize('NFKD')
+    .replace(/\p{M}/gu, '')
+    .replace(/[^\p{L}\p{N}]+/gu, '-')
+    .replace(/^-+|-+$/g, '')
+    .slice(0, 60)
+    .toLowerCase() || 'lesson';
+
+function save(bytes: Uint8Array, name: string): void {
+  const address = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'application/zip' }));
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
+
+async function copy(studio: Studio): Promise<void> {
+  const field = document.querySelector<HTMLTextAreaElement>('#export-html')!;
+  const isCopied = await Promise.resolve()
+    .then(() => navigator.clipboard.writeText(field.value))
+    .then(
+      () => true,
+      () => false,
+    );
+  if (!isCopied) field.select();
+  chosen.said = isCopied ? studio.words.copied : studio.words.copyByHand;
+  studio.draw();
+}
