@@ -21,12 +21,13 @@ import {
 } from 'node:fs';
 import { join } from 'node:path';
 import { build, defaultClientConditions, normalizePath } from 'vite';
-import { buildPrepare } from '../packages/prepare/build.mjs';
 import { AT_ONCE, atOnce } from './at-once.mjs';
+import { buildPrepare } from './build-prepare.mjs';
 import { exportText, makeCodecModules, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { licencesOfPackages } from './licence-texts.mjs';
 import { listImports } from './list-imports.mjs';
 import { escapeToAscii } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
@@ -196,31 +197,10 @@ function buildTypes() {
 
 /** Write the licence texts of all packages that are part of dist. */
 function writeLicences() {
-  /** @type {Map<string, string>} */
-  const texts = new Map();
-  /** @param {string} name */
-  const visit = (name) => {
-    if (texts.has(name)) return;
-    const folder = join(projectRoot, 'node_modules', name);
-    if (!existsSync(folder)) return; // optional, or nested under its only user
-    const manifest = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-    const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
-    const text = file ? readFileSync(join(folder, file), 'utf8').trim() : `Licensed under: ${manifest.license}`;
-    texts.set(name, `${name} ${manifest.version} (${manifest.license})\n\n${text}`);
-    Object.keys(manifest.dependencies ?? {}).forEach(visit);
-  };
-  const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  [
-    ...Object.keys(manifest.dependencies),
-    'culori',
-    '@cornerstonejs/codec-openjpeg',
-    '@cornerstonejs/codec-charls',
-  ].forEach(visit);
-  // That package names its licence only, and contains another library.
-  texts.set('openjpeg', readFileSync(join(projectRoot, 'scripts/licences/openjpeg.txt'), 'utf8').trim());
-  texts.set('charls', readFileSync(join(projectRoot, 'scripts/licences/charls.txt'), 'utf8').trim());
-  const rule = `\n\n${'-'.repeat(78)}\n\n`;
-  writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
+  const { dependencies } = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
+  const codecs = ['@cornerstonejs/codec-openjpeg', '@cornerstonejs/codec-charls'];
+  const text = licencesOfPackages([...Object.keys(dependencies), 'culori', ...codecs]);
+  writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), text);
 }
 
 function readX3dom() {

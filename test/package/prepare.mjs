@@ -55,8 +55,12 @@ await check('npm pack takes what the program needs, and no source', () => {
     'bin/volume-view-prepare.js',
     'README.md',
     'LICENSE',
+    'dist/THIRD-PARTY-LICENSES.txt',
   ])
     assert.ok(paths.includes(path), path);
+  const licences = readFileSync(join(folder, 'dist/THIRD-PARTY-LICENSES.txt'), 'utf8');
+  for (const library of ['parse5', 'fflate', '@cornerstonejs/codec-charls', 'CharLS', 'OpenJPEG'])
+    assert.match(licences, new RegExp(`^${library} .*\\((MIT|BSD-[23]-Clause)\\)`, 'm'), `the licence of ${library}`);
   assert.equal(
     spawnSync('tar', ['-xzf', join(consumer, pack.filename), '-C', installed, '--strip-components=1']).status,
     0,

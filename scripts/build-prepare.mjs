@@ -1,22 +1,34 @@
-// `npm run build` in this folder: builds the program and its modules, from TypeScript and the readers of the element, as JavaScript for
+// `npm run build` in packages/prepare: builds the program and its modules, from TypeScript and the readers of the element, as JavaScript for
 // Node.
-import { cpSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { cpSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
+import { licencesOfModules } from './licence-texts.mjs';
+import { projectRoot } from './shared-data.mjs';
 
-const folder = dirname(fileURLToPath(import.meta.url));
+const folder = join(projectRoot, 'packages/prepare');
 
 /** What a page of a lesson loads, of the folder dist of the element. */
 const player = ['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'classic', 'THIRD-PARTY-LICENSES.txt'];
 
 /** Build the folder dist; the element has been built before. @returns {Promise<void>} */
 export async function buildPrepare() {
+  /** @type {string[]} */
+  const modules = [];
   await build({
     configFile: false,
     root: folder,
     publicDir: false,
     logLevel: 'warn',
+    plugins: [
+      {
+        name: 'list-modules',
+        generateBundle: (_options, files) => {
+          for (const file of Object.values(files)) if (file.type === 'chunk') modules.push(...file.moduleIds);
+        },
+      },
+    ],
     ssr: { noExternal: /^(?!fast-png$|node:)/ },
     build: {
       ssr: true,
@@ -35,8 +47,9 @@ export async function buildPrepare() {
       },
     },
   });
+  writeFileSync(join(folder, 'dist/THIRD-PARTY-LICENSES.txt'), licencesOfModules(modules));
   for (const name of player)
-    cpSync(join(folder, '../../dist', name), join(folder, 'dist/player', name), { recursive: true });
+    cpSync(join(projectRoot, 'dist', name), join(folder, 'dist/player', name), { recursive: true });
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) await buildPrepare();
