@@ -42,12 +42,14 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
 /**
  * How much brighter or darker, 0..1, a single thing between two samples could make a pixel: the largest value of all cells in which
  * something is visible. It bounds what no probe has met.
- * @param codes - which of `detailCodes` each cell is sampled with; if absent, one sample per voxel
+ * @param samplesAVoxel - steps per voxel; below 1, a step that meets a thing also counts it as longer than it is
+ * @param codes - which of `detailCodes` each cell is sampled with; if absent, no step is cut, as where the author gives the steps:
+ * these are cut by the samples at their ends, which do not show what lies between
  */
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   const missable = measureMissable(seen, 'among');
   const wanted = (cell: number): number =>
-    codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1;
+    codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : samplesAVoxel;
   let max = 0;
   for (let cell = 0; cell < seen.cells.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;

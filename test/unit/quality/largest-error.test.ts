@@ -176,6 +176,28 @@ describe('the bound of what probes could have missed', () => {
     ).to.be.above(0.99);
   });
 
+  it('bounds what an author’s steps leave, also where they are longer than a voxel', () => {
+    // One voxel with 10 % of opacity. A ray through it, in steps that are not cut, and with the integral of the tent it makes.
+    const middle = 12.5 / 24;
+    const voxel = see(
+      (x, y, z) => (Math.max(Math.abs(x - middle), Math.abs(y - middle), Math.abs(z - middle)) < 0.01 ? 1 : 0),
+      '0 #fff 0, 1 #fff 10%',
+    );
+    expect(Math.max(...voxel.volume.macrocells.high), 'the voxel is there').to.equal(255);
+    const shown = (depth: number): number => 1 - 0.9 ** depth;
+    for (const length of [0.5, 1, 2, 4, 6]) {
+      let largest = 0;
+      for (let start = 0; start < length; start += length / 64) {
+        let depth = 0;
+        for (let at = start - 8; at < 8; at += length) depth += length * Math.max(0, 1 - Math.abs(at));
+        largest = Math.max(largest, Math.abs(shown(depth) - shown(1)));
+      }
+      expect(boundMissed(voxel, 1 / length), `steps of ${length} voxels`)
+        .to.be.above(largest)
+        .and.below(0.9);
+    }
+  });
+
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
     const speck = see((x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0), '0.2 #fff 0, 1 #fff 60%');
     const { error } = stateError(covered, boundMissed(speck, 1), 1);
