@@ -184,9 +184,8 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes {
    * 64 bits. Surfaces and other shapes that are not part of the volume are ignored. null where the device does not allow the check, and
    * where nothing of the volume is visible.
    */
-  async checkPicture(): Promise<PictureCheck | null> {
-    await this.whenRendered();
-    return this._session.interaction?.checkIn(this._session.viewer) ?? null;
+  checkPicture(): Promise<PictureCheck | null> {
+    return this._session.checkPicture();
   }
 
   /**

@@ -27,6 +27,8 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
   const { controller, loop, shown, frames } = viewer;
   const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
   return controller.withScene(async (scene) => {
+    // A view that was far away gets a new scene for this: it has drawn nothing yet.
+    if (controller.isNew) await loop.drawNow(() => frames.drawNow(scene));
     const { steps, substeps } = frames.planAtRest;
     const rays = await raysOfView(viewer, { placesOnly: false, looks: isCut(substeps) });
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && controller.scene === scene;

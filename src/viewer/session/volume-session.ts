@@ -1,4 +1,5 @@
 import type { VolumeViewError } from '../../core/errors.ts';
+import type { PictureCheck } from '../../quality/compare-rays.ts';
 import { ErrorState } from '../model/error-state.ts';
 import type { Aspect, ErrorListener } from '../model/error-state.ts';
 import { PageConnection } from './page-connection.ts';
@@ -188,6 +189,13 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.#visibility.ask(async () => {
       await this.#settle();
       return this.#requireViewer().toBlob(goal);
+    });
+  }
+
+  checkPicture(): Promise<PictureCheck | null> {
+    return this.#visibility.ask(async () => {
+      await this.#settle();
+      return this.interaction?.checkIn(this.viewer) ?? null;
     });
   }
 
