@@ -1,10 +1,12 @@
 import uPlot from 'uplot';
-import type { StudyMethod } from '../../src/renderer/study.ts';
-import { methodNames } from './results.ts';
 
 /** A line of a chart: points with rising x. */
 export interface ChartLine {
-  readonly method: StudyMethod;
+  readonly name: string;
+  /** The custom property of CSS that has its colour. */
+  readonly color: string;
+  /** Dashes distinguish the lines where colours do not. */
+  readonly dash?: readonly number[];
   readonly points: readonly (readonly [number, number])[];
 }
 
@@ -15,9 +17,6 @@ export interface Chart {
   /** Read out instead of the drawing. */
   readonly description: string;
 }
-
-/** Dashes distinguish the lines where colours do not. */
-const dashes: Readonly<Record<StudyMethod, number[]>> = { printed: [2, 4], plain: [8, 5], shipped: [] };
 
 const height = 320;
 
@@ -57,13 +56,13 @@ export function showChart(container: HTMLElement, chart: Chart): () => void {
         legend: { live: true },
         series: [
           { label: chart.xLabel, value: (_, x) => format(x) },
-          ...chart.lines.map(({ method }): uPlot.Series => ({
-            label: methodNames[method],
-            stroke: style.getPropertyValue(`--${method}`),
+          ...chart.lines.map(({ name, color, dash = [] }): uPlot.Series => ({
+            label: name,
+            stroke: style.getPropertyValue(color),
             width: 2.5,
-            dash: dashes[method],
+            dash: [...dash],
             spanGaps: true,
-            points: { show: true, size: 7, fill: style.getPropertyValue(`--${method}`) },
+            points: { show: true, size: 7, fill: style.getPropertyValue(color) },
             value: (_, y) => format(y),
           })),
         ],

@@ -24,6 +24,8 @@ const ownScenes = ['mni152', 'ct-phantom'] as const;
 /** The volume of the pictures that come with the page. */
 const storedScene = 'mni152';
 
+const dashes: Readonly<Record<StudyMethod, readonly number[]>> = { printed: [2, 4], plain: [8, 5], shipped: [] };
+
 const state = { results: stored, scene: storedScene as string, fn: 'smooth', method: 'shipped' as StudyMethod };
 let takeDown: (() => void)[] = [];
 let pictures: StudyPictures | null = null;
@@ -143,7 +145,12 @@ function showTimes(scene: SceneResults, fn: FunctionResults): void {
 }
 
 function lines(pointsOf: (method: StudyMethod) => [number, number][]): ChartLine[] {
-  return studyMethods.map((method) => ({ method, points: pointsOf(method) }));
+  return studyMethods.map((method) => ({
+    name: methodNames[method],
+    color: `--${method}`,
+    dash: dashes[method],
+    points: pointsOf(method),
+  }));
 }
 
 function showTable(table: Table): HTMLElement {

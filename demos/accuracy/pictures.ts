@@ -6,12 +6,13 @@ import type { StudyFunction } from './scenes.ts';
 import { StudyGl } from './study-gl.ts';
 import type { PaperFactors } from './study-gl.ts';
 import { stepsOfLimit } from './study.ts';
+import { median } from './time-pictures.ts';
 
 /** By how much differences are multiplied before they are shown. */
 export const amplification = 16;
 
-/** What the volume is seen against: dark, as in the element's own default. */
-const background = [23 / 255, 27 / 255, 34 / 255] as const;
+/** What the volume is seen against, red, green and blue, 0..1: dark, as in the element's own default. */
+export const background = [23 / 255, 27 / 255, 34 / 255] as const;
 
 interface Prepared {
   readonly setup: SceneSetup;
@@ -47,6 +48,17 @@ export class StudyPictures {
       difference: toImage(this.size, (at) => Math.abs(picture[at] - limit[at]) * amplification),
       floats: [picture, limit],
     };
+  }
+
+  /** How long a frame of it takes, ms: the median of some. */
+  async time(
+    { scene, fn, method, steps }: { scene: string; fn: string; method: StudyMethod; steps: number },
+    signal: AbortSignal,
+  ): Promise<number> {
+    const { setup, fn: drawn, paper } = await this.#prepare(scene, fn, signal);
+    const picture = describePicture(setup, drawn, { method, steps, paper });
+    const repeat = Math.min(20, Math.ceil(10 / Math.max(0.5, this.#gl.time(picture, this.size)))); // Clocks are coarse.
+    return median(Array.from({ length: 3 }, () => this.#gl.time(picture, this.size, repeat)));
   }
 
   dispose(): void {

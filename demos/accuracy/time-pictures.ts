@@ -59,7 +59,7 @@ export async function timePictures(
   }));
 }
 
-function median(values: readonly number[]): number {
+export function median(values: readonly number[]): number {
   const sorted = Float64Array.from(values);
   sorted.sort();
   const middle = sorted.length >> 1;

@@ -52,6 +52,33 @@ test.describe('on a phone', () => {
   }
 });
 
+test('the page of error against time shows what is missing, less of it where less is allowed', async ({ page }) => {
+  await openDemo(page, 'trade.html', '.trade { grid-template-columns: repeat(3, 160px) !important }');
+  const found = async (allowed: string) => {
+    const text = page.locator('#found');
+    await expect(text).toContainText(`; ${allowed} was allowed`, { timeout: 30_000 });
+    return Number(/differs from the exact one by ([\d.]+) /.exec((await text.textContent())!)![1]);
+  };
+  const brightness = () =>
+    page.locator('#missing').evaluate((canvas: HTMLCanvasElement) => {
+      const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+      return { width: canvas.width, sum: data.reduce((sum, byte, i) => (i % 4 < 3 ? sum + byte : sum), 0) };
+    });
+  const most = await found('8');
+  expect(most).toBeGreaterThan(1);
+  expect(most).toBeLessThanOrEqual(8);
+  const missing = await brightness();
+  expect(missing.width).toBe(160);
+  await page.locator('#max-error').fill('0');
+  const least = await found('1');
+  expect(least).toBeLessThan(most / 2);
+  expect((await brightness()).sum).toBeLessThan(missing.sum / 2);
+  await expect(page.locator('[data-stat="true"]')).toHaveText(`${least} / 255`);
+  await page.getByText('Storm', { exact: true }).click();
+  await found('1');
+  await expect(page.locator('#exact')).toHaveAttribute('src', 'data/storm-synthetic.json');
+});
+
 /** Open a lesson with small pictures. @param id - of its view */
 async function openLesson(page: Page, name: string, id: string) {
   await openDemo(page, name, 'volume-view { inline-size: 240px !important }');

@@ -20,6 +20,7 @@ const storm = '/demos/data/storm-radar-1510.json';
 /** Kinds of pictures, as an author writes them. */
 const kinds: Record<string, string> = {
   'one attribute': `<volume-view src="${mri}" ${shown}></volume-view>`,
+  'less work at rest': `<volume-view src="${mri}" detail="free" max-error="8" ${shown}></volume-view>`,
   'given steps, half of what is asked at rest': `<volume-view src="${mri}" steps="180" ${shown}></volume-view>`,
   'a window, factors and bands': `<volume-view src="${torso}" value-window="-200 600" transfer-function="-200 #000 0, 40 #f80 0, 40 #f80 30%, 300 #fff 80%" opacity-factor="0.7" light-factor="1.2" ${shown}></volume-view>`,
   'light of its own, and a cut': `<volume-view src="${mri}" shading="lit" cutout="0 0 0 200 200 200" transfer-function="20% #e2b9a6 0, 30% #e2b9a6 60%, 100% #fff 90%" ${shown}><directionallight direction="1 1 -1" intensity="0.8"></directionallight></volume-view>`,
@@ -40,6 +41,13 @@ const kinds: Record<string, string> = {
   'cuts of a radar, brightened': `<volume-view src="${storm}" light-factor="1.5" vertical-exaggeration="4" ${shown}><volume-slice type="cappi" height="3000"></volume-slice></volume-view>`,
   'a lit radar in the colours of its wind': `<volume-view src="/demos/data/storm-radar-island.json" vertical-exaggeration="4" shading="lit" ${shown}><volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer></volume-view>`,
 };
+
+// A view that is far away has no context while nobody asks for its picture.
+test('a view far below the visible part of the page is checked too', async ({ page }) => {
+  await open(page, `<div style="height: 5000px"></div><volume-view src="${mri}" ${shown}></volume-view>`);
+  for (let i = 0; i < 2; i++) expect((await check(page))!.agrees).toBe(true);
+  expect(await page.evaluate(() => scrollY)).toBe(0);
+});
 
 function check(page: Page): Promise<PictureCheck | null> {
   return withElement(page, (element) => element.checkPicture());
@@ -117,8 +125,9 @@ newPageTest('with self-check each picture at rest is checked, and a good one is 
   expect(message).toBe('');
 });
 
-newPageTest('the page of steps says whether its device draws right', async ({ page }) => {
-  await openDemo(page, 'steps.html', '');
+newPageTest('the page of error against time says whether its device draws right', async ({ page }) => {
+  await openDemo(page, 'trade.html', '.trade { grid-template-columns: repeat(3, 200px) !important }');
+  await expect(page.locator('#found')).toContainText('differs', { timeout: 30_000 });
   await page.locator('#check').click();
   await expect(page.locator('#checked')).toContainText(
     /^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/,
