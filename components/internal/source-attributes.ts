@@ -50,6 +50,12 @@ export class SourceAttributes extends LookAttributes {
   @property({ kind: number }) series!: number | null;
 
   /**
+   * The bytes that the shown level of an OME-Zarr may have at most, `50e6` for 50 MB; by default what the device holds. A coarser level is read where
+   * one does not fit, and `volume.reduced` says so.
+   */
+  @property({ attribute: 'max-bytes', kind: number }) maxBytes!: number | null;
+
+  /**
    * Whether cookies and logins are sent to other servers than the page's own, as for `<img crossorigin>`: `anonymous` or `use-credentials`. It counts for all that the
    * element fetches, also for elements inside.
    * @default anonymous

@@ -14,6 +14,7 @@
     'moment',
     'color-moment',
     'beam-model',
+    'max-bytes',
     'series',
     'vertical-exaggeration',
     'clean',

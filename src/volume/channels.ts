@@ -2,7 +2,7 @@ import type { Vector3 } from './matrix.ts';
 import type { Samples } from './samples.ts';
 
 /** One channel of a volume of several: what a microscope saw of one dye, for instance. */
-export interface Channel {
+export interface ChannelInfo {
   /** Its number in the file, from 1. */
   readonly number: number;
   /** What the file calls it; '' where it does not. */
@@ -11,6 +11,10 @@ export interface Channel {
   readonly color: Vector3;
   /** The data values that are black, and that have all of the colour. */
   readonly window: readonly [number, number];
+}
+
+/** A channel with its values. */
+export interface Channel extends ChannelInfo {
   /** On the grid of the volume. Data value = slope * sample + intercept; NaN means no data. */
   readonly samples: Samples;
   readonly slope: number;
@@ -22,6 +26,8 @@ export interface ChannelColors {
   /** For each voxel red, green, blue and brightness, 0..255, on the scale of the volume's samples. */
   readonly colors: Uint8Array<ArrayBuffer>;
   readonly list: readonly Channel[];
+  /** What a page may know of them. */
+  readonly infos: readonly ChannelInfo[];
 }
 
 /** Channels as one volume. */
@@ -64,7 +70,8 @@ export function mixChannels(list: readonly Channel[]): MixedChannels {
     colors[4 * i + 1] = Math.round(scale * green);
     colors[4 * i + 2] = Math.round(scale * blue);
   }
-  return { samples, slope: largest / 255, colors, list };
+  const infos = list.map(({ number, name, color, window }) => ({ number, name, color, window }));
+  return { samples, slope: largest / 255, colors, list, infos };
 }
 
 /** The share of its window that a channel has in a voxel, 0..1. */

@@ -17,6 +17,7 @@ export const noAttributes: GivenAttributes = {
   verticalExaggeration: null,
   clean: null,
   series: null,
+  maxBytes: null,
   crossOrigin: null,
   time: null,
   autoplay: null,

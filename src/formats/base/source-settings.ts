@@ -17,6 +17,8 @@ export interface SourceSettings extends MosaicSettings, RadarSettings {
   readonly series?: number;
   /** What of a pyramid of levels is read: x, y and z of two opposite corners, world; all where undefined. */
   readonly region?: readonly number[];
+  /** Bytes that the level of a pyramid may have; what the device holds where undefined. */
+  readonly maxBytes?: number;
   /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
   readonly clean?: Cleaning;
   /** Whether cookies and logins are sent to other servers than the page's own; not where undefined. */

@@ -63,11 +63,12 @@ export async function readZarr(
     settings.region && levels.every((level) => cutLevel(level, axes, settings.region!)) ? settings.region : null;
   const boxes = levels.map((level) => cutLevel(level, axes, region)!);
   const stored = Math.min(4, levels[0].array.type.bytesPerSample);
-  const ofChannels = shown.kind === 'colors' ? limitsOfChannels(load.limits, shown.list.length, stored) : null;
+  const limits = { ...load.limits, maxBytes: Math.min(load.limits.maxBytes, settings.maxBytes ?? Infinity) };
+  const ofChannels = shown.kind === 'colors' ? limitsOfChannels(limits, shown.list.length, stored) : null;
   const chosen = chooseLevel(
     boxes,
     arrayBox,
-    ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : load.limits,
+    ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : limits,
     axes,
   );
   const coarsest = boxes[boxes.length - 1];
@@ -121,7 +122,7 @@ export async function readZarr(
   const { samples, dimensions, indexToWorld } =
     volume.isLabels || volume.channels
       ? { ...volume.grid, samples: volume.samples }
-      : fitVolume({ ...volume.grid, samples: volume.samples }, load.limits);
+      : fitVolume({ ...volume.grid, samples: volume.samples }, limits);
   return {
     ...volume,
     samples,

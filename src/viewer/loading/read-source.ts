@@ -35,6 +35,7 @@ export function readSource(given: GivenSource): SourceSettings {
     clean,
     series,
     region,
+    maxBytes,
     crossOrigin,
   } = given;
   return {
@@ -61,6 +62,7 @@ export function readSource(given: GivenSource): SourceSettings {
     clean: clean === null ? undefined : parseClean(clean),
     series: series === null ? undefined : parseCount('series', series),
     region: region === null ? undefined : (parseRegion(region) ?? undefined),
+    maxBytes: maxBytes === null ? undefined : parseLength('max-bytes', maxBytes),
     credentials: sendsCookies(crossOrigin) ? 'include' : undefined,
   };
 }

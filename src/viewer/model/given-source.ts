@@ -13,6 +13,7 @@ export const sourceNames = [
   'clean',
   'series',
   'region',
+  'maxBytes',
   'crossOrigin',
 ] as const;
 

@@ -2,13 +2,12 @@ import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../../opti
 import type { Patch } from '../../optics/transfer/patches.ts';
 import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import type { Stop } from '../../optics/transfer/transfer-function.ts';
-import type { Channel } from '../../volume/channels.ts';
+import type { ChannelInfo } from '../../volume/channels.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { SeriesInfo, SourceInfo, ValueWindow, Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
-/** A channel of a volume of several. */
-export type ChannelInfo = Pick<Channel, 'number' | 'name' | 'color' | 'window'>;
+export type { ChannelInfo } from '../../volume/channels.ts';
 
 /** What a page can get of a loaded volume: everything except its samples. */
 export interface VolumeInfo {
@@ -137,7 +136,7 @@ export function describeVolume(volume: Volume): VolumeInfo {
     series,
     source,
     windows,
-    channels: volume.channels?.list.map(({ number, name, color, window }) => ({ number, name, color, window })),
+    channels: volume.channels?.infos,
     title,
     anatomical,
     credit,

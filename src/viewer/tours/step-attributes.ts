@@ -58,6 +58,7 @@ export const notInSteps: readonly string[] = [
   'interpolation-decay',
   'link-state',
   'loading',
+  'max-bytes',
   'max-camera-orbit',
   'max-error',
   'min-camera-orbit',

@@ -36,6 +36,7 @@ const viewRows: Row[] = [
   ['beamModel', 'beam-model', 'straight', 'straight'],
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
   ['series', 'series', 2, '2'],
+  ['maxBytes', 'max-bytes', 5e7, '50000000'],
   ['crossOrigin', 'crossorigin', 'use-credentials', 'use-credentials'],
   ['clean', 'clean', true, ''],
   ['clean', 'clean', -400, '-400'],

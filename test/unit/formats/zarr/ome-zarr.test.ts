@@ -57,6 +57,18 @@ describe('an OME-Zarr', () => {
       });
   }
 
+  it('of which less is wanted, as max-bytes says, has the finest level of that size, of the region too', async () => {
+    const all = await readStore(pyramidFiles(cube), { maxBytes: 7679 });
+    expect([all.grid.dimensions, all.reduced]).to.deep.equal([[10, 6, 8], { from: [20, 12, 16], to: [10, 6, 8] }]);
+    const region = [-9, -9, 0, -2, -2, 7].map((one) => one / 1000);
+    const part = await readStore(pyramidFiles(cube), { maxBytes: 7679, region });
+    expect([part.reduced, part.grid.spacing]).to.deep.equal([undefined, [0.001, 0.001, 0.001]]);
+    const channels = await readStore(pyramidFiles({ ...cube, axes: 'czyx', shape: [2, 16, 12, 20] }), {
+      maxBytes: 5 * 20 * 12 * 16 - 1,
+    });
+    expect(channels.grid.dimensions).to.deep.equal([10, 6, 8]);
+  });
+
   it('has all levels between the same outer faces', async () => {
     const faces = await Promise.all(
       [1e6, 7000, 900].map(async (limit) => corners((await readStore(pyramidFiles(cube), {}, bytes(limit))).grid)),
