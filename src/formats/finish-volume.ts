@@ -70,8 +70,8 @@ async function finishCartesian(
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
-  const { samples: _all, isLabels: _said, intent: _code, ...rest } = decoded;
-  let summary = summarize(samples, decoded.slope, decoded.intercept);
+  const { samples: _all, isLabels: _said, intent: _code, counts, ...rest } = decoded;
+  let summary = summarize(samples, decoded.slope, decoded.intercept, undefined, isReduced ? undefined : counts);
   const appearance = await suggestAppearance(decoded, summary.histogram);
   // Of what is left there may be fewer values; the look stays that of the whole.
   const hidden =

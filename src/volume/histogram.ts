@@ -13,6 +13,7 @@ export const histogramBins = 256;
 /**
  * Counts samples in data units. NaN and infinities are left out.
  * @param minValid - smaller stored values are no data, and left out too
+ * @param known - how often each whole number occurs, if that was counted before
  * @returns histogram over the range of the valid values, that range, and whether any sample was left out
  */
 export function summarize(
@@ -20,9 +21,10 @@ export function summarize(
   slope: number,
   intercept: number,
   minValid = -Infinity,
+  known?: Uint32Array,
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
   const { low, high, counts, hasNoData } =
-    samples instanceof Float32Array ? countFloats(samples, minValid) : countIntegers(samples, minValid);
+    samples instanceof Float32Array ? countFloats(samples, minValid) : countIntegers(samples, minValid, known);
   const ends = [slope * low + intercept, slope * high + intercept];
   if (slope < 0) {
     ends.reverse();
@@ -61,9 +63,7 @@ function countFloats(samples: Float32Array, minValid: number): Count {
 }
 
 /** Integers have few different values: one pass counts each, and the counts go into bins afterwards. */
-function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Count {
-  const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
-  for (let i = 0; i < samples.length; i++) exact[samples[i]]++;
+function countIntegers(samples: Uint8Array | Uint16Array, minValid: number, exact = countEach(samples)): Count {
   const values = Array.from(exact.keys()).filter((value) => exact[value] > 0 && value >= minValid);
   const low = values[0] ?? 0;
   const high = values.at(-1) ?? 0;
@@ -75,6 +75,12 @@ function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Cou
     counts[binOf(value)] += exact[value];
   }
   return { low, high, counts, hasNoData: valid < samples.length };
+}
+
+function countEach(samples: Uint8Array | Uint16Array): Uint32Array {
+  const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
+  for (let i = 0; i < samples.length; i++) exact[samples[i]]++;
+  return exact;
 }
 
 /** @returns a function that gives the bin of a value from `low` to `high`, the last one for `high` itself */

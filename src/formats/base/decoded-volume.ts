@@ -22,6 +22,8 @@ export type DecodedCartesianVolume = Decoded & {
   readonly isLabels?: boolean;
   /** Whether the file says that its values are the uptake of a tracer, as PET shows it. */
   readonly isUptake?: boolean;
+  /** How often each sample occurs, for whole numbers: where the reader has counted them, nothing else does. */
+  readonly counts?: Uint32Array<ArrayBuffer>;
   /** NIfTI's intent code: what the values are. */
   readonly intent?: number;
 };

@@ -12,6 +12,7 @@ import type { FrameNumbers } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { loadLibraries } from './load-libraries.ts';
 import { loadPixels } from './load-pixels.ts';
+import { NumberCounts } from './number-counts.ts';
 import type { StoredType } from './picture.ts';
 import type { Stack } from './stack-frames.ts';
 
@@ -21,6 +22,8 @@ export interface Gathered {
   /** Value = slope * number + intercept. */
   readonly slope: number;
   readonly intercept: number;
+  /** Where the numbers have 16 bits, and are all that they were in the files. */
+  readonly counts?: NumberCounts;
   /** What of the slices is not there, in words. */
   readonly left: readonly string[];
 }
@@ -29,7 +32,7 @@ export interface GatherOptions {
   /** Slices that come first, by their numbers. */
   readonly first: readonly number[];
   /** Called when these are there, and the others are not. */
-  readonly onFirst: (gathered: Omit<Gathered, 'left'>) => Promise<void>;
+  readonly onFirst: (gathered: Omit<Gathered, 'left' | 'counts'>) => Promise<void>;
 }
 
 const what = 'the DICOM series';
@@ -55,6 +58,7 @@ export async function gatherSamples(
   let type: StoredType = scale ? frames[0].picture.type : chooseType(frames);
   if (frames.length < slices.length || damage.found.size > 0 || resample) type = floatOf(type);
   let all = allocate(type, [columns, rows, slices.length], budget);
+  const counts = new NumberCounts();
   /** Only floats have a number for no data. */
   const needFloats = (): void => {
     if (floatOf(type) === type) return;
@@ -76,8 +80,10 @@ export async function gatherSamples(
       last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, libraries) };
     const numbers = cutTile(last.numbers, frame);
     const { slope, intercept } = frame;
-    if (scale) all.set(numbers, start);
-    else for (let i = 0; i < numbers.length; i++) all[start + i] = slope * numbers[i] + intercept;
+    if (scale) {
+      all.set(numbers, start);
+      if (numbers instanceof Int16Array || numbers instanceof Uint16Array) counts.add(numbers);
+    } else for (let i = 0; i < numbers.length; i++) all[start + i] = slope * numbers[i] + intercept;
     if (!frame.picture.padding) return;
     const [low, high] = frame.picture.padding;
     for (let i = 0; i < numbers.length; i++) {
@@ -129,7 +135,8 @@ export async function gatherSamples(
     budget.giveBack(all.byteLength);
     all = made;
   }
-  return { type, numbers: all, ...kept, left: damage.describe() };
+  const isCounted = scale && (type === 'int16' || type === 'uint16');
+  return { type, numbers: all, ...kept, counts: isCounted ? counts : undefined, left: damage.describe() };
 }
 
 /** Frames whose files are damaged. */

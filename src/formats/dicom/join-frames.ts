@@ -11,6 +11,7 @@ import { describeFiles } from './describe-files.ts';
 import { gatherSamples } from './gather-samples.ts';
 import type { Gathered } from './gather-samples.ts';
 import type { ChosenFrames } from './group-frames.ts';
+import { storeCounted } from './number-counts.ts';
 import { stackFrames } from './stack-frames.ts';
 import type { Stack } from './stack-frames.ts';
 
@@ -54,9 +55,15 @@ export async function joinFrames(
 /** The numbers as samples. */
 async function storeNumbers(
   info: SeriesInfo,
-  { type, numbers, slope, intercept }: Omit<Gathered, 'left'>,
+  { type, numbers, slope, intercept, counts }: Omit<Gathered, 'left'>,
   { budget }: Pick<ReadContext, 'budget'>,
 ): Promise<DecodedCartesianVolume> {
+  const counted =
+    counts && (numbers instanceof Int16Array || numbers instanceof Uint16Array) ? storeCounted(numbers, counts) : null;
+  if (counted) {
+    const { samples, offset } = counted;
+    return { ...info, samples, slope, intercept: slope * offset + intercept, counts: counted.counts };
+  }
   const stored = storeSamples(new Uint8Array(numbers.buffer as ArrayBuffer), numberTypes[type], hostIsLittleEndian, {
     slope,
     intercept,
