@@ -17,6 +17,7 @@ import type { OpenedFiles } from './opened-files.ts';
 import { PrivateStore, reasonOf } from './private-store.ts';
 import { isZarr } from './is-zarr.ts';
 import { isZip } from './is-zip.ts';
+import { receiveFiles } from './receive-files.ts';
 import type { FolderLoad } from './show-part.ts';
 import { openTree } from './store-tree.ts';
 import { ZipStore } from './zip-store.ts';
@@ -44,7 +45,7 @@ export async function openFiles(
     return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading, options.load);
   }
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
-  const files = await openHandles(given.files);
+  const files = await openHandles(given.rest ? await receiveFiles(given.rest, options.signal) : given.files);
   const chosen = new LocalStore(files, given.base);
   const tree = await openTree(chosen, given.base, options.load, { kind: 'files' });
   if (tree) return tree;

@@ -30,6 +30,9 @@ export interface LoadOptions {
 /** A worker that read more bytes is not kept: engines return its memory late, unless it ends. */
 const maxKeptBytes = 2 ** 22;
 
+/** To send more chosen files than this at once takes the page longer than a frame: the browser looks at each. */
+const many = 48;
+
 /** Resolves a worker's task that has to run on the main thread. */
 const notHere = Symbol('not in a worker');
 
@@ -57,12 +60,12 @@ export async function workOff<T>(
   options: LoadOptions,
   here: (watched: LoadOptions) => Promise<T>,
 ): Promise<T> {
-  const { url } = task.order.request;
+  const { url, local } = task.order.request as LoadRequest;
   const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
     let starts = listWorkerStarts(url);
-    if (options.fetch)
-      starts = (await loadPart(import('./serve-fetch.ts'), 'reads files')).withFetch(
+    if (options.fetch || local?.files[many])
+      starts = (await loadPart(import('./serve-fetch.ts'), 'reads files')).withPage(
         starts,
         options.fetch,
         watched.signal,

@@ -1,8 +1,10 @@
-// Fetches for a worker with a function of the page, which may add tokens. Loaded with the first element that has one.
+// What a worker has of the page besides its orders: fetches with a function of the page, which may add tokens, and chosen
+// files, where there are many. Loaded when it is needed.
 import { VolumeViewError } from '../core/errors.ts';
 import type { FetchAnswer, FetchOrder } from './page-fetch.ts';
+import { sendFiles } from './send-files.ts';
 import type { LiveWorker } from './spare-worker.ts';
-import type { WorkerOrder } from './worker-messages.ts';
+import type { WorkerOrder, WorkerStop } from './worker-messages.ts';
 
 /**
  * The function of a page, checked: what it throws, or gives in place of a response, is an error in words.
@@ -34,20 +36,32 @@ export function checkedFetch(ask: typeof fetch): typeof fetch {
   };
 }
 
-/** Ways to have a worker: the first order that it gets has a port, by which it asks the page for files. @param signal - of the load */
-export function withFetch(
+/**
+ * Ways to have a worker: with the first order that it gets, it can ask the page for files, and gets many chosen files in
+ * groups.
+ * @param ask - the page's own function, if it has one
+ * @param signal - of the load
+ */
+export function withPage(
   starts: readonly (() => Promise<LiveWorker>)[],
-  ask: typeof fetch,
+  ask: typeof fetch | null | undefined,
   signal: AbortSignal,
 ): readonly (() => Promise<LiveWorker>)[] {
-  const checked = checkedFetch(ask);
+  const checked = ask && checkedFetch(ask);
   return starts.map((start) => async () => {
     const worker = await start();
-    worker.postMessage = (order: WorkerOrder) => {
+    worker.postMessage = (order: WorkerOrder | WorkerStop) => {
       // From now on it is the browser's own again.
       Reflect.deleteProperty(worker, 'postMessage');
-      const port = serveFetch(checked, signal);
-      worker.postMessage({ ...order, port } satisfies WorkerOrder, [port]);
+      // The load may be given up before it has begun.
+      if ('stop' in order) return worker.postMessage(order);
+      const port = checked ? serveFetch(checked, signal) : undefined;
+      const request = sendFiles(order.request, signal);
+      const rest = 'local' in request ? request.local?.rest : undefined;
+      worker.postMessage(
+        { ...order, request, port } satisfies WorkerOrder,
+        [port, rest].filter((one) => one !== undefined),
+      );
     };
     return worker;
   });

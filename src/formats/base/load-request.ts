@@ -12,6 +12,8 @@ export interface LocalFiles {
   readonly base: string;
   /** They are checked when they are opened: scripts of a page may give anything. */
   readonly files: readonly unknown[];
+  /** Sends further files, to a worker, which has to have them all. */
+  readonly rest?: MessagePort;
 }
 
 /** What to load: a `src`, and what the element's other attributes say about it. */
