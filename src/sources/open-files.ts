@@ -10,14 +10,12 @@ import { findVolume, isLitter } from './find-volume.ts';
 import type { FindOptions, FoundVolume } from './find-volume.ts';
 import { FolderReader } from './folder-reader.ts';
 import { HttpStore } from './http-store.ts';
-import { LocalStore } from './local-store.ts';
 import { MemoryStore } from './memory-store.ts';
-import { openHandles } from './open-handles.ts';
+import { openLocal } from './open-local.ts';
 import type { OpenedFiles } from './opened-files.ts';
 import { PrivateStore, reasonOf } from './private-store.ts';
 import { isZarr } from './is-zarr.ts';
 import { isZip } from './is-zip.ts';
-import { receiveFiles } from './receive-files.ts';
 import type { FolderLoad } from './show-part.ts';
 import { openTree } from './store-tree.ts';
 import { ZipStore } from './zip-store.ts';
@@ -45,8 +43,7 @@ export async function openFiles(
     return (await import('./open-dicomweb.ts')).openDicomWeb(given, reading, options.load);
   }
   if ('bytes' in given) return openZip(new MemoryStore(given), given.url, nameOf(given.url), options);
-  const files = await openHandles(given.rest ? await receiveFiles(given.rest, options.signal) : given.files);
-  const chosen = new LocalStore(files, given.base);
+  const chosen = await openLocal(given, options.signal);
   const tree = await openTree(chosen, given.base, options.load, { kind: 'files' });
   if (tree) return tree;
   const store = await PrivateStore.of(chosen, given.base, isLitter);

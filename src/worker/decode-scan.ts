@@ -12,7 +12,7 @@ import type { FileTree } from '../formats/zarr/file-tree.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type { FetchOptions } from '../sources/download.ts';
 import { HttpStore } from '../sources/http-store.ts';
-import { LocalStore } from '../sources/local-store.ts';
+import { openLocal } from '../sources/open-local.ts';
 
 /**
  * @param first - the start of the file, where it is opened; null where the page knows where the volume, or the numbers of one place in all volumes, lie
@@ -37,7 +37,7 @@ export async function decodeScan(
   const fetchFile: DecodeContext['fetchFile'] = async (url, range) => {
     const { local } = options.request;
     const store =
-      local && url.startsWith(local.base) ? new LocalStore(local.files, local.base) : new HttpStore(options);
+      local && url.startsWith(local.base) ? await openLocal(local, options.signal) : new HttpStore(options);
     return store.read(url, { range, signal: options.signal });
   };
   if (first) return decodeFile(first, settings, { ...options, fetchFile });

@@ -2,6 +2,7 @@ import { gzipSync } from 'node:zlib';
 import { buildLevel3, builtProducts } from '../../helpers/level3-builder.ts';
 import type { BuiltProduct } from '../../helpers/level3-builder.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
+import { makeGates } from '../gates.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import { bzip2, bzip2OfRuns } from './bzip2-writer.ts';
 
@@ -14,7 +15,7 @@ export const level3: Grammar = (random) => {
   const built: BuiltProduct = {
     ...product,
     code: random.or(product.code, 16, 135, 300),
-    numbers: Array.from({ length: radials }, () => Array.from({ length: gates }, () => random.int(0, top))),
+    numbers: makeGates(random, [radials, gates], top),
     levels: random.or(product.levels, [0, 0], { scale: NaN, offset: 1 }, { scale: 1e-40, offset: 1e30 }),
     elevation: random.or(random.int(-10, 900), -32768, 32767),
     from: random.int(0, 3599),

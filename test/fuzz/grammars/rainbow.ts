@@ -2,14 +2,17 @@ import { gzipSync } from 'node:zlib';
 import { buildRainbow } from '../../helpers/rainbow-builder.ts';
 import type { BuiltSlice } from '../../helpers/rainbow-builder.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
+import { makeGates } from '../gates.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';
 
 /** Rainbow 5: headers and parts that lie, are missing or of another size. */
 export const rainbow: Grammar = (random) => {
+  // Many slices, or long ones: both would make one case of seconds, and show nothing new.
+  const many = random.isHostile() ? random.pick(['slices', 'radials'] as const) : null;
   const bytes = buildRainbow({
-    slices: Array.from({ length: random.isHostile() ? random.pick([40, 300]) : random.int(1, 4) }, (_, i) =>
-      writeSlice(random, i),
+    slices: Array.from({ length: many === 'slices' ? random.pick([40, 300]) : random.int(1, 4) }, (_, i) =>
+      writeSlice(random, i, many === 'radials' ? random.pick([400, 2000]) : random.int(1, 12)),
     ),
     type: random.or(random.pick(['vol', 'azi']), 'ele', 'poi', ''),
     rangestep: random.or(0.25, 0, -1, 1e30),
@@ -45,8 +48,7 @@ export const rainbow: Grammar = (random) => {
   return oneFile(random.or('scan.vol', 'scan.azi'), random.chance(0.1) ? new Uint8Array(gzipSync(whole)) : whole);
 };
 
-function writeSlice(random: Random, i: number): BuiltSlice {
-  const radials = random.isHostile() ? random.pick([400, 2000]) : random.int(1, 12);
+function writeSlice(random: Random, i: number, radials: number): BuiltSlice {
   const gates = random.int(1, 30);
   const depth = random.pick([8, 16] as const);
   const starts = Array.from({ length: radials }, (_, radial) => (radial * 182) % 65536);
@@ -60,9 +62,7 @@ function writeSlice(random: Random, i: number): BuiltSlice {
         depth,
         min: random.or(-31.5, 0, 1e30),
         max: random.or(95.5, -31.5, -1e30),
-        numbers: Array.from({ length: radials }, () =>
-          Array.from({ length: gates }, () => random.int(0, 2 ** depth - 1)),
-        ),
+        numbers: makeGates(random, [radials, gates], 2 ** depth - 1),
       },
     ],
   };

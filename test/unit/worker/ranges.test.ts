@@ -104,4 +104,31 @@ describe('a plain NIfTI file of several times', () => {
     expect(last.format).to.equal('NIfTI-1, volume 20 of 20');
     expect(valuesOf(last)).to.not.deep.equal(valuesOf(first));
   });
+
+  it('of a chosen folder too, and of files that a page sends in groups', async () => {
+    const base = 'https://chosen.invalid/2/';
+    const file = new File([await fetchFile('/demos/data/functional.nii')], 'x.nii');
+    const handle = { kind: 'file', name: file.name, getFile: async () => file };
+    const folder = {
+      kind: 'directory',
+      name: 'scan',
+      async *values() {
+        yield handle;
+      },
+    };
+    const sent = (): MessagePort => {
+      const { port1, port2 } = new MessageChannel();
+      port1.postMessage({ files: [], isLast: false });
+      port1.postMessage({ files: [file], isLast: true });
+      return port2;
+    };
+    for (const local of [() => ({ base, files: [folder] }), () => ({ base, files: [], rest: sent() })]) {
+      data = [];
+      const first = await read({ url: base, local: local(), scan: { index: 0 } });
+      expect(data.length).to.equal(20);
+      const last = await read({ url: base, local: local(), scan: { index: 19 }, data: data[19] });
+      expect(last.format).to.equal('NIfTI-1, volume 20 of 20');
+      expect(valuesOf(last)).to.not.deep.equal(valuesOf(first));
+    }
+  });
 });
