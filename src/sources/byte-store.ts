@@ -34,8 +34,11 @@ export interface ByteStore {
   stat(url: string): Promise<FileStat>;
   /** @throws {VolumeViewError} `source/…`, `format/…`; the signal's reason */
   read(url: string, options?: ReadOptions): Promise<DecodeInput>;
-  /** Where a file can be read again without this store: the file itself, or its URL. */
-  sourceOf?(url: string): Blob | string;
+  /**
+   * Where a file can be read again without this store: the file itself, one of an archive as a gzip file, or its URL; null
+   * where it can not.
+   */
+  sourceOf?(url: string): Blob | string | null;
   /**
    * Reads the same part of several files at once, where that takes less time than one after another.
    * @returns in their order; null where one of them can't be read so: `read` says why

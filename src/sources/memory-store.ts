@@ -13,6 +13,11 @@ export class MemoryStore implements ByteStore {
     return { size: this.file.bytes.length };
   }
 
+  /** A copy that the browser keeps outside of the page's memory. */
+  sourceOf(): Blob {
+    return new Blob([this.file.bytes]);
+  }
+
   async read(_url: string, { range }: ReadOptions = {}): Promise<DecodeInput> {
     return { ...this.file, bytes: this.file.bytes.subarray(range?.start, range?.end) };
   }

@@ -3,9 +3,11 @@ import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { crc32 } from '../formats/codecs/crc32.ts';
 import { unpack } from '../formats/codecs/gunzip.ts';
 import { DeflateError, Inflater } from '../formats/codecs/inflate.ts';
+import { joinPieces } from '../formats/base/join-pieces.ts';
 import { pathOf, urlInStore } from './byte-store.ts';
 import type { ByteRange, ByteStore, FileStat, ReadOptions } from './byte-store.ts';
 import { maxFileBytes } from './download.ts';
+import { asGzip } from './packed-file.ts';
 import { refuseSize } from './store-errors.ts';
 import { corruptZip, localBytes, readDirectory, unsupportedZip } from './zip-directory.ts';
 import type { ReadBytes, ZipEntry } from './zip-directory.ts';
@@ -30,6 +32,7 @@ const maxHeader = 2 ** 12;
 export class ZipStore implements ByteStore {
   /** Where the packed bytes of files begin: each header is read once. */
   readonly #dataStarts = new Map<ZipEntry, number>();
+  #archive: Blob | null = null;
 
   /**
    * @param base - of the files' URLs, ends with a slash
@@ -40,6 +43,7 @@ export class ZipStore implements ByteStore {
     readonly name: string,
     readonly entries: ReadonlyMap<string, ZipEntry>,
     private readonly readBytes: ReadBytes,
+    private readonly findArchive: () => Blob | string | undefined,
   ) {}
 
   /** Reads the list of an archive's files. @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large` */
@@ -57,7 +61,8 @@ export class ZipStore implements ByteStore {
     };
     const entries = await readDirectory(readBytes, size, name);
     // Of files of the same name the last one counts, as for other programs.
-    return new ZipStore(base, name, new Map(entries.map((entry) => [urlInStore(base, entry.path), entry])), readBytes);
+    const named = new Map(entries.map((entry) => [urlInStore(base, entry.path), entry]));
+    return new ZipStore(base, name, named, readBytes, () => store.sourceOf?.(url) ?? undefined);
   }
 
   async list(): Promise<readonly string[]> {
@@ -79,6 +84,16 @@ export class ZipStore implements ByteStore {
         ? (await this.#readPacked(entry, { start, end })).slice()
         : await this.#unpackPart(entry, { start, end });
     return { bytes, url, contentType: '', packedBytes: entry.packed, missing: entry.size - end };
+  }
+
+  /** A file as a gzip file, of parts of the archive; null where the archive is on a server, or the file was not looked at. */
+  sourceOf(url: string): Blob | null {
+    const entry = this.#find(url);
+    const start = this.#dataStarts.get(entry);
+    if (start === undefined) return null;
+    const archive = (this.#archive ??= blobOf(this.findArchive()));
+    // A part of a file has no name.
+    return archive && new Blob(asGzip(entry, start, (from, to) => archive.slice(from, to)));
   }
 
   #find(url: string): ZipEntry {
@@ -110,6 +125,7 @@ export class ZipStore implements ByteStore {
     if (!range && entry.end - start <= localBytes + packed + maxHeader) {
       const all = await this.readBytes(start, entry.end);
       const from = this.#dataStart(all);
+      this.#dataStarts.set(entry, start + from);
       if (from + packed > all.length) throw corruptZip(this.name, 'lists files that overlap');
       return all.subarray(from, from + packed);
     }
@@ -138,7 +154,8 @@ export class ZipStore implements ByteStore {
     }
     const bytes = new Uint8Array(size);
     let at = 0;
-    for await (const piece of unpack(asGzip(packed, entry), 'gzip', what)) {
+    const gzip = joinPieces(asGzip(entry, 0, (start, end) => packed.subarray(start, end)));
+    for await (const piece of unpack(gzip, 'gzip', what)) {
       if (at + piece.length > size) throw damaged();
       bytes.set(piece, at);
       at += piece.length;
@@ -186,13 +203,4 @@ export class ZipStore implements ByteStore {
   }
 }
 
-/** The same data as a gzip file of one member (RFC 1952): so every browser's own decompressor unpacks and checks them. */
-function asGzip(packed: Uint8Array, { crc, size }: ZipEntry): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(10 + packed.length + 8);
-  bytes.set([0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 0xff]);
-  bytes.set(packed, 10);
-  const end = new DataView(bytes.buffer, 10 + packed.length);
-  end.setUint32(0, crc, true);
-  end.setUint32(4, size % 2 ** 32, true);
-  return bytes;
-}
+const blobOf = (source: Blob | string | undefined): Blob | null => (source instanceof Blob ? source : null);

@@ -40,7 +40,7 @@ export interface FolderAccess {
   readStart(url: string, bytes: number): Promise<DecodeInput>;
   /** A whole file. */
   readWhole(url: string): Promise<DecodeInput>;
-  /** Where a file can be read again later, by a page: the file itself, or its URL; null where it can not. */
+  /** Where a file can be read again later, by a page: the file itself, one of an archive as a gzip file, or its URL; null where it can not. */
   sourceOf(url: string): Blob | string | null;
   /** Whole files will be read in this order, so that several can be read in one piece. @returns how many to ask for ahead */
   plan(urls: readonly string[]): number;

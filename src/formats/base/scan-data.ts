@@ -4,8 +4,8 @@ import type { DecodedCartesianVolume } from './decoded-volume.ts';
 export type ScanBytes = Blob | { readonly url: string; readonly start: number; readonly end: number };
 
 /**
- * The files whose slices are one volume, which are decoded when it is shown: as they are kept by the browser, or their
- * URLs. Only a reader knows how.
+ * The files whose slices are one volume, which are decoded when it is shown: as they are kept by the browser, those of an
+ * archive as gzip files, or their URLs. Only a reader knows how.
  */
 export interface ScanFiles {
   readonly files: readonly (Blob | string)[];

@@ -10,6 +10,7 @@ import { joinFrames } from './join-frames.ts';
 import { listFrames } from './list-frames.ts';
 import { readPicture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
+import { unpackFile } from './unpack-file.ts';
 
 /**
  * Decodes one time of a series.
@@ -41,7 +42,7 @@ export async function readPhase(
 }
 
 async function readFile(file: Blob | string, what: string, { budget, fetchFile }: ScanAccess): Promise<Frame[]> {
-  const bytes =
+  const given =
     typeof file === 'string'
       ? (await fetchFile(file)).bytes
       : new Uint8Array(
@@ -49,7 +50,8 @@ async function readFile(file: Blob | string, what: string, { budget, fetchFile }
             throw changed(what);
           }),
         );
-  budget.addFile(bytes.length);
+  budget.addFile(given.length);
+  const bytes = await unpackFile(given, budget, what);
   const picture = readPicture(readDicomFile(bytes, budget, what), what);
   if (!picture) throw changed(what);
   return listFrames(picture);

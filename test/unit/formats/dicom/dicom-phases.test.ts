@@ -148,12 +148,60 @@ describe('a folder of DICOM of several times', function () {
     }
   });
 
-  it('in an archive is decoded at once, as a file of it can not be read alone', async () => {
-    const zip = zipSync(Object.fromEntries(made.map((bytes, i) => [`${i}.dcm`, bytes])), { level: 0 });
-    const { volume, data } = await open({ local: { base, files: [new File([zip], 'a.zip')] } });
-    expectTime(volume, 1);
-    expect(data.every(hasNumbers)).to.equal(true);
-    expectTime(await show(data[2]), 2);
+  for (const [packing, level] of [
+    ['packed', 6],
+    ['not packed', 0],
+  ] as const) {
+    const zip = (all = made) => zipSync(Object.fromEntries(all.map((bytes, i) => [`Geheim-${i}.dcm`, bytes])), { level });
+
+    it(`in an archive reads the time that is wanted, and the others when they are shown: ${packing}`, async () => {
+      const archive = zip();
+      const { result, bytes } = await countReads(() =>
+        open({ local: { base, files: [new File([archive], 'Geheim.zip')] } }),
+      );
+      const { volume, data, coarse } = result;
+      expectTime(volume, 1);
+      expect(coarse).to.have.length(1);
+      expect(data.some(hasNumbers)).to.equal(false);
+      if (level === 0) expect((bytes - starts) / size, 'files that were read').to.be.below(slices + 3 * count + 5);
+      for (const time of [2, 0]) {
+        const shown = await countReads(() => show(data[time]));
+        expectTime(shown.result, time);
+        expect(shown.bytes, 'a third of the archive').to.be.below(1.1 * (archive.length / count));
+      }
+    });
+
+    it(`in an archive of which a file is damaged says so where its time is shown: ${packing}`, async () => {
+      const archive = zip();
+      // A byte near the end of the pixels of slice 20 at the last time: the start of a file is looked at when the archive is opened.
+      const name = new TextEncoder().encode(`Geheim-${count * 20 + 2}.dcm`);
+      const at = archive.findIndex((_, i) => name.every((byte, k) => archive[i + k] === byte));
+      const packed = new DataView(archive.buffer).getUint32(at - 12, true);
+      archive[at + name.length + Math.round(0.95 * packed)] ^= 0x55;
+      const { volume, data } = await open({ local: { base, files: [new File([archive], 'Geheim.zip')] } });
+      expectTime(volume, 1);
+      const { left } = await show(data[2]);
+      expect(left!.join()).to.match(/^file 21 of 36 of this time: damaged, and its place shown as no data/);
+      expect(left!.join()).not.to.match(/Geheim/);
+    });
+  }
+
+  it('in an archive on a server is kept by the browser as it came', async () => {
+    const native = globalThis.fetch;
+    const archive = zipSync(Object.fromEntries(made.map((bytes, i) => [`${i}.dcm`, bytes])));
+    let asked = 0;
+    globalThis.fetch = async () => {
+      asked++;
+      return new Response(archive, { headers: { 'content-length': String(archive.length) } });
+    };
+    try {
+      const { volume, data } = await open({ url: `${pageOrigin}/study.zip` });
+      expectTime(volume, 1);
+      expectTime(await show(data[2]), 2);
+      expect(asked).to.equal(1);
+    } finally {
+      globalThis.fetch = native;
+    }
   });
 });
 
