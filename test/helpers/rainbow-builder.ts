@@ -28,6 +28,8 @@ export interface BuiltVolume {
   readonly change?: (header: string) => string;
   readonly size?: (bytes: number) => number;
   readonly isPacked?: boolean;
+  /** Packs as zlib does, where another one is quicker. */
+  readonly pack?: (bytes: Uint8Array) => Uint8Array;
 }
 
 const bigEndian = (numbers: readonly number[], depth: 8 | 16): Uint8Array =>
@@ -42,6 +44,7 @@ export function buildRainbow({
   change = (header) => header,
   size = (bytes) => bytes,
   isPacked = true,
+  pack = zlibSync,
 }: BuiltVolume): Uint8Array<ArrayBuffer> {
   const blobs: Uint8Array[] = [];
   const add = (bytes: Uint8Array): number => blobs.push(bytes) - 1;
@@ -71,7 +74,7 @@ ${written.join('\n')}</scan>
     ...blobs.flatMap((bytes, id) => {
       const length = new Uint8Array(4);
       new DataView(length.buffer).setUint32(0, bytes.length);
-      const packed = isPacked ? Uint8Array.from([...length, ...zlibSync(bytes)]) : bytes;
+      const packed = isPacked ? Uint8Array.from([...length, ...pack(bytes)]) : bytes;
       const tag = `<BLOB blobid="${id}" size="${size(packed.length)}" compression="${isPacked ? 'qt' : 'none'}">\n`;
       return [encode(tag), packed, encode('\n</BLOB>\n')];
     }),

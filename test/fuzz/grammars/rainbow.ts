@@ -1,4 +1,4 @@
-import { gzipSync } from 'node:zlib';
+import { deflateSync, gzipSync } from 'node:zlib';
 import { buildRainbow } from '../../helpers/rainbow-builder.ts';
 import type { BuiltSlice } from '../../helpers/rainbow-builder.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
@@ -43,6 +43,7 @@ export const rainbow: Grammar = (random) => {
         : header,
     size: (length) => random.or(length, length - 1, length + 1, 0, 4e9),
     isPacked: random.chance(0.8),
+    pack: (part) => deflateSync(part, { level: 1 }),
   });
   const whole = damage(random, bytes);
   return oneFile(random.or('scan.vol', 'scan.azi'), random.chance(0.1) ? new Uint8Array(gzipSync(whole)) : whole);
