@@ -36,8 +36,7 @@ export async function decodeScan(
   }
   const fetchFile: DecodeContext['fetchFile'] = async (url, range) => {
     const { local } = options.request;
-    const store =
-      local && url.startsWith(local.base) ? await openLocal(local, options.signal) : new HttpStore(options);
+    const store = local && url.startsWith(local.base) ? await openLocal(local, options.signal) : new HttpStore(options);
     return store.read(url, { range, signal: options.signal });
   };
   if (first) return decodeFile(first, settings, { ...options, fetchFile });

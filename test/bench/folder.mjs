@@ -20,6 +20,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { repeats as usualRepeats } from './knobs.mjs';
 import { writeSeries } from './synthetic-dicom.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
+import { traceTasks } from './trace-tasks.mjs';
 import { watchMemory } from './watch-memory.mjs';
 import { watchTasks } from './watch-tasks.mjs';
 
@@ -55,6 +56,7 @@ async function openInElement() {
   element.addEventListener('render', () => (at.first ??= performance.now()));
   /** @type {any} */ (window).longestTask = 0;
   const began = performance.now();
+  performance.mark('begin');
   element.files = /** @type {HTMLInputElement} */ (document.querySelector('input')).files;
   await element.whenRendered();
   at.final = performance.now();
@@ -137,6 +139,8 @@ export async function run() {
       const { processInfo } = await session.send('SystemInfo.getProcessInfo');
       const browserId = processInfo.find(({ type }) => type === 'browser')?.id ?? 0;
       const rows = [];
+      /** @type {Awaited<ReturnType<typeof findLongTasks>>} */
+      let tasks = [];
       for (const form of forms) {
         const names = /** @type {(keyof typeof readers)[]} */ (['ours', ...(form === 'raw' ? findPeers() : [])]);
         /** @type {Record<string, any[]>} */
@@ -159,6 +163,7 @@ export async function run() {
             await page.close();
           }
         }
+        if (form === 'raw') tasks = await findLongTasks(browser, openPage, chosen[form]);
         const size = chosen[form].reduce((sum, file) => sum + statSync(file).size, 0);
         for (const name of names) rows.push(describe(form, name, all, size));
       }
@@ -169,10 +174,38 @@ export async function run() {
         "A folder of DICOM: ms since the choice; memory of the page's own process beyond that before, through the bytes of the samples",
         rows,
       );
+      if (tasks.length > 0)
+        printTable(
+          'Tasks of the page above 50 ms in one more run, which is traced: ms since the choice; of them, of its processor, and waiting for the GPU',
+          tasks,
+        );
     });
   } finally {
     rmSync(scratch, { recursive: true, force: true });
   }
+}
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {import('../helpers/measure-in-browser.mjs').Tools['openPage']} openPage
+ * @param {string[]} files
+ */
+async function findLongTasks(browser, openPage, files) {
+  const page = await openPage('test/bench/folder.html', { before: watchTasks });
+  await page.setInputFiles('input', files);
+  /** @type {Awaited<ReturnType<typeof openInElement>> | undefined} */
+  let result;
+  const tasks = await traceTasks(browser, page, async () => (result = await page.evaluate(openInElement)));
+  await page.close();
+  const { lastVoxel = 0, loaded = 0 } = result ?? {};
+  return tasks.map(({ at, ms, ownMs, waitMs, waits }) => ({
+    at: at.toFixed(0),
+    while: at < lastVoxel ? 'files are read' : at < loaded ? 'values are looked at, upload' : 'pictures of the volume',
+    ms: ms.toFixed(0),
+    'own ms': ownMs.toFixed(0),
+    'waits ms': waitMs.toFixed(0),
+    for: waits,
+  }));
 }
 
 /** @param {string} form @param {string} name @param {Record<string, any[]>} all @param {number} size */

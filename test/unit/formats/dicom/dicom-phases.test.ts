@@ -152,7 +152,8 @@ describe('a folder of DICOM of several times', function () {
     ['packed', 6],
     ['not packed', 0],
   ] as const) {
-    const zip = (all = made) => zipSync(Object.fromEntries(all.map((bytes, i) => [`Geheim-${i}.dcm`, bytes])), { level });
+    const zip = (all = made) =>
+      zipSync(Object.fromEntries(all.map((bytes, i) => [`Geheim-${i}.dcm`, bytes])), { level });
 
     it(`in an archive reads the time that is wanted, and the others when they are shown: ${packing}`, async () => {
       const archive = zip();
