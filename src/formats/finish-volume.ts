@@ -71,7 +71,7 @@ async function finishCartesian(
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
   const { samples: _all, isLabels: _said, intent: _code, counts, ...rest } = decoded;
-  let summary = summarize(samples, decoded.slope, decoded.intercept, undefined, isReduced ? undefined : counts);
+  let summary = summarize(samples, decoded.slope, decoded.intercept, isReduced ? {} : { known: counts });
   const appearance = await suggestAppearance(decoded, summary.histogram);
   // Of what is left there may be fewer values; the look stays that of the whole.
   const hidden =

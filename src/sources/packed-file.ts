@@ -18,9 +18,18 @@ export function asGzip<T>(
   const end = new DataView(new ArrayBuffer(8));
   end.setUint32(0, crc, true);
   end.setUint32(4, size % 2 ** 32, true);
-  const parts: (T | Uint8Array<ArrayBuffer>)[] = [head];
-  if (method !== 0) parts.push(take(dataStart, dataStart + packed));
-  for (let at = 0; method === 0 && (at === 0 || at < size); at += maxStored) {
+  const data = method === 0 ? storeBlocks(size, dataStart, take) : [take(dataStart, dataStart + packed)];
+  return [head, ...data, new Uint8Array(end.buffer)];
+}
+
+/** Data that are not packed, as blocks of Deflate. */
+function storeBlocks<T>(
+  size: number,
+  dataStart: number,
+  take: (start: number, end: number) => T,
+): (T | Uint8Array<ArrayBuffer>)[] {
+  const parts: (T | Uint8Array<ArrayBuffer>)[] = [];
+  for (let at = 0; at === 0 || at < size; at += maxStored) {
     const length = Math.min(maxStored, size - at);
     const block = new DataView(new ArrayBuffer(5));
     block.setUint8(0, at + length === size ? 1 : 0);
@@ -28,5 +37,5 @@ export function asGzip<T>(
     block.setUint16(3, ~length, true);
     parts.push(new Uint8Array(block.buffer), take(dataStart + at, dataStart + at + length));
   }
-  return [...parts, new Uint8Array(end.buffer)];
+  return parts;
 }

@@ -28,11 +28,18 @@ const startOnTrust = 2 ** 10;
 /** Bytes of a name and other fields before a file, and of what may follow it, that are read with it. */
 const maxHeader = 2 ** 12;
 
+/** The archive itself. */
+interface Archive {
+  readonly readBytes: ReadBytes;
+  /** Where it can be read again. */
+  readonly source: () => Blob | string | null;
+}
+
 /** The files in a ZIP archive, which is itself a file of another store. */
 export class ZipStore implements ByteStore {
   /** Where the packed bytes of files begin: each header is read once. */
   readonly #dataStarts = new Map<ZipEntry, number>();
-  #archive: Blob | null = null;
+  #kept: Blob | null = null;
 
   /**
    * @param base - of the files' URLs, ends with a slash
@@ -42,8 +49,7 @@ export class ZipStore implements ByteStore {
     readonly base: string,
     readonly name: string,
     readonly entries: ReadonlyMap<string, ZipEntry>,
-    private readonly readBytes: ReadBytes,
-    private readonly findArchive: () => Blob | string | undefined,
+    private readonly archive: Archive,
   ) {}
 
   /** Reads the list of an archive's files. @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large` */
@@ -62,7 +68,7 @@ export class ZipStore implements ByteStore {
     const entries = await readDirectory(readBytes, size, name);
     // Of files of the same name the last one counts, as for other programs.
     const named = new Map(entries.map((entry) => [urlInStore(base, entry.path), entry]));
-    return new ZipStore(base, name, named, readBytes, () => store.sourceOf?.(url) ?? undefined);
+    return new ZipStore(base, name, named, { readBytes, source: () => store.sourceOf?.(url) ?? null });
   }
 
   async list(): Promise<readonly string[]> {
@@ -91,9 +97,11 @@ export class ZipStore implements ByteStore {
     const entry = this.#find(url);
     const start = this.#dataStarts.get(entry);
     if (start === undefined) return null;
-    const archive = (this.#archive ??= blobOf(this.findArchive()));
+    const source = this.#kept ?? this.archive.source();
+    if (!(source instanceof Blob)) return null;
+    this.#kept = source;
     // A part of a file has no name.
-    return archive && new Blob(asGzip(entry, start, (from, to) => archive.slice(from, to)));
+    return new Blob(asGzip(entry, start, (from, to) => source.slice(from, to)));
   }
 
   #find(url: string): ZipEntry {
@@ -123,16 +131,16 @@ export class ZipStore implements ByteStore {
     }
     // Of most files the header is short, so that it comes with the rest in one request.
     if (!range && entry.end - start <= localBytes + packed + maxHeader) {
-      const all = await this.readBytes(start, entry.end);
+      const all = await this.archive.readBytes(start, entry.end);
       const from = this.#dataStart(all);
       this.#dataStarts.set(entry, start + from);
       if (from + packed > all.length) throw corruptZip(this.name, 'lists files that overlap');
       return all.subarray(from, from + packed);
     }
     const known = this.#dataStarts.get(entry);
-    const dataStart = known ?? start + this.#dataStart(await this.readBytes(start, start + localBytes));
+    const dataStart = known ?? start + this.#dataStart(await this.archive.readBytes(start, start + localBytes));
     this.#dataStarts.set(entry, dataStart);
-    return this.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
+    return this.archive.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
   }
 
   /** Where the packed bytes of a file begin after its header. */
@@ -202,5 +210,3 @@ export class ZipStore implements ByteStore {
     return bytes;
   }
 }
-
-const blobOf = (source: Blob | string | undefined): Blob | null => (source instanceof Blob ? source : null);

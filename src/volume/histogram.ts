@@ -12,16 +12,15 @@ export const histogramBins = 256;
 
 /**
  * Counts samples in data units. NaN and infinities are left out.
- * @param minValid - smaller stored values are no data, and left out too
- * @param known - how often each whole number occurs, if that was counted before
+ * @param options - minValid: smaller stored values are no data, and left out too; known: how often each whole number occurs, if
+ *   that was counted before
  * @returns histogram over the range of the valid values, that range, and whether any sample was left out
  */
 export function summarize(
   samples: Samples,
   slope: number,
   intercept: number,
-  minValid = -Infinity,
-  known?: Uint32Array,
+  { minValid = -Infinity, known }: { readonly minValid?: number; readonly known?: Uint32Array } = {},
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
   const { low, high, counts, hasNoData } =
     samples instanceof Float32Array ? countFloats(samples, minValid) : countIntegers(samples, minValid, known);

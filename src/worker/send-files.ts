@@ -17,7 +17,7 @@ export function sendFiles(request: WorkerOrder['request'], signal: AbortSignal):
   if (!local) return request;
   const { port1, port2 } = new MessageChannel();
   void sendGroups(local.files, port1, signal);
-  return { ...request, local: { ...local, files: [], rest: port2 } } as WorkerOrder['request'];
+  return { ...request, local: { ...local, files: [], rest: port2 } };
 }
 
 async function sendGroups(files: readonly unknown[], port: MessagePort, signal: AbortSignal): Promise<void> {

@@ -54,7 +54,8 @@ export function storeCounted(numbers: Uint16Array | Int16Array, known: NumberCou
   const isSigned = numbers instanceof Int16Array;
   const all = known.sum(isSigned);
   const first = all.findIndex(Boolean);
-  const last = all.length - 1 - all.slice().reverse().findIndex(Boolean);
+  let last = all.length - 1;
+  while (last > first && all[last] === 0) last--;
   if (last - first <= 0xff) return null;
   const samples = new Uint16Array(numbers.buffer as ArrayBuffer, numbers.byteOffset, numbers.length);
   const low = isSigned ? first - patterns / 2 : first;

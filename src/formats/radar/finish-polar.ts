@@ -14,7 +14,7 @@ const maxPreviewBytes = 2 ** 24;
 export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPolarVolume): PolarOutline {
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
-  const outline = { ...decoded, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
+  const outline = { ...decoded, ...summarize(samples, slope, intercept, { minValid }), hasNoData: true };
   return { ...outline, ...suggestRadarAppearance(outline) };
 }
 

@@ -49,7 +49,7 @@ describe('numbers that are counted as they come', () => {
           [1, -1024],
           [-0.5, 3],
         ])
-          expect(summarize(stored.samples, slope, intercept, undefined, stored.counts)).to.deep.equal(
+          expect(summarize(stored.samples, slope, intercept, { known: stored.counts })).to.deep.equal(
             summarize(usual.samples, slope, intercept),
           );
       }
