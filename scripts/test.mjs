@@ -65,6 +65,12 @@ const parts = [
     counts: true,
     browser: true,
   },
+  {
+    title: 'Lessons as one file',
+    args: ['test/package/lesson-single-file.mjs'],
+    counts: true,
+    browser: true,
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {

@@ -37,10 +37,9 @@ export async function writeClassic(dist, workers, bundle) {
   }
   const loader = readFileSync(join(projectRoot, 'scripts/classic/loader.js'), 'utf8');
   const [entry] = chunks.filter(({ isEntry }) => isEntry);
-  const workerParts = Object.keys(workers).map((name) => {
-    const { fileName } = chunks.find(({ moduleIds }) => moduleIds.map(nameBuilt).includes(name)) ?? entry;
-    return `"classic/${fileName}-${version}.js"`;
-  });
+  const workerParts = Object.keys(workers).map(
+    (name) => chunks.find(({ moduleIds }) => moduleIds.map(nameBuilt).includes(name))?.fileName,
+  );
   const text = `var VolumeView=function(){"use strict";
 const VERSION="${version}",PART_NEEDS=${listNeeds(chunks, entry.fileName)},WORKER_PARTS=[${workerParts.join()}];
 ${loader}

@@ -9,6 +9,11 @@ function keyOf(part) {
   return part + '-' + VERSION;
 }
 
+/** The address of a part, from the script. */
+function fileOf(part) {
+  return 'classic/' + keyOf(part) + '.js';
+}
+
 function run(part, factory) {
   factory(require, (modules[part] = {}));
 }
@@ -38,7 +43,7 @@ function require(name) {
 function bring(part) {
   // The entry may still be running, where the page already contains elements.
   return (coming[part] ??= Promise.resolve()
-    .then(() => modules[0].injectScript(new URL('classic/' + keyOf(part) + '.js', modules[0].scriptUrl).href))
+    .then(() => modules[0].injectScript(new URL(fileOf(part), modules[0].scriptUrl).href))
     .then(() => {
       // Many servers answer with a page where a file is missing.
       if (!parts[keyOf(part)]) throw new Error('part ' + keyOf(part) + ' is another file');

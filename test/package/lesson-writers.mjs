@@ -7,12 +7,12 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { chromium } from '@playwright/test';
-import { decode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
+import { difference, openLessonPage, pictureOf } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-lesson-'));
@@ -100,7 +100,7 @@ await check('what is refused is said in words, with its line, and nothing is wri
       [],
       /got no title[^]*got no language[^]*got no licence[^]*got no credits/,
     ],
-    [body, ['--as', 'film'], /got --as film; expected page, scorm or scorm-2004/],
+    [body, ['--as', 'film'], /got --as film; expected page, single-file, scorm, scorm-2004/],
     [body, ['--as', 'scorm', '--pass', '0'], /got --pass 0; expected a whole number from 1 to 100/],
     [body, ['--pass', '50'], /expected it with --as scorm/],
     [
@@ -165,53 +165,9 @@ await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)
 const origin = `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}`;
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
 
-/** @returns {Promise<{ page: import('@playwright/test').Page, problems: string[] }>} with what the console says, and requests elsewhere */
-async function newPage() {
-  const context = await browser.newContext({ viewport: { width: 480, height: 700 } });
-  const page = await context.newPage();
-  /** @type {string[]} */
-  const problems = [];
-  page.on('console', (message) => {
-    // A driver in software says that reading pixels takes long.
-    if (['error', 'warning'].includes(message.type()) && !/GPU stall/.test(message.text()))
-      problems.push(message.text());
-  });
-  page.on('pageerror', (error) => problems.push(String(error)));
-  // Of a worker's script that is missing the console says nothing.
-  page.on('response', (response) => {
-    if (response.status() >= 400) problems.push(`${response.status()} ${response.url()}`);
-  });
-  page.on('request', (request) => {
-    if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(origin)) problems.push(request.url());
-  });
-  return { page, problems };
-}
+const newPage = () => openLessonPage(browser, origin);
 
-/** The picture, when it is at rest, as the element gives it. @param {import('@playwright/test').Page | import('@playwright/test').FrameLocator} place */
-async function pictureOf(place) {
-  const base64 = await place.locator('volume-view').evaluate(async (element) => {
-    const view = /** @type {any} */ (element);
-    await view.whenRendered();
-    return btoa(
-      Array.from(new Uint8Array(await (await view.toBlob()).arrayBuffer()), (byte) => String.fromCharCode(byte)).join(
-        '',
-      ),
-    );
-  });
-  return decode(Buffer.from(base64, 'base64'));
-}
-
-/** The largest difference of two pictures, of 255. @param {any} a @param {any} b */
-function difference(a, b) {
-  assert.deepEqual([a.width, a.height, a.channels], [b.width, b.height, b.channels]);
-  return a.data.reduce(
-    (/** @type {number} */ max, /** @type {number} */ x, /** @type {number} */ i) =>
-      Math.max(max, Math.abs(x - b.data[i])),
-    0,
-  );
-}
-
-/** @type {ReturnType<typeof decode> | null} */
+/** @type {ReturnType<typeof import('fast-png').decode> | null} */
 let asPage = null;
 await check('a lesson as a page shows its picture, its licence and its credits', async () => {
   const { page, problems } = await newPage();

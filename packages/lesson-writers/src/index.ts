@@ -5,6 +5,7 @@ export { readLesson } from './read-lesson.ts';
 export type { LessonContent, LessonElement, LessonNode } from './read-lesson.ts';
 export { escapeMarkup } from './write-html.ts';
 export { writePageFiles } from './write-page.ts';
+export { largeFile, writeSingleFile } from './write-single-file.ts';
 export { writeScormFiles } from './write-scorm.ts';
 export type { ScormOptions } from './write-scorm.ts';
 export type { ScormVersion } from './scorm-manifest.ts';

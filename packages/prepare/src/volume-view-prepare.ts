@@ -17,8 +17,8 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
-volume-view-prepare LESSON.html [--as page | scorm | scorm-2004] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
-    a lesson and the files that it names, as a folder for a web server, or as a package (ZIP) for a course
+volume-view-prepare LESSON.html [--as page | single-file | scorm | scorm-2004] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
+    a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, or as a package (ZIP) for a course
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 
@@ -109,20 +109,26 @@ interface LessonValues extends LessonWords {
 }
 
 async function writeCourse(path: string, { as = 'page', pass, out, ...words }: LessonValues): Promise<void> {
-  if (as !== 'page' && as !== 'scorm' && as !== 'scorm-2004')
-    throw new Misuse(`got --as ${as}; expected page, scorm or scorm-2004`);
-  if (pass !== undefined && as === 'page') throw new Misuse('got --pass for a page; expected it with --as scorm');
+  const { lessonForms, writeLesson } = await import('./write-lesson.ts');
+  const form = lessonForms.find((one) => one === as);
+  if (!form) throw new Misuse(`got --as ${as}; expected ${lessonForms.join(', ')}`);
+  if (pass !== undefined && !form.startsWith('scorm'))
+    throw new Misuse(`got --pass for a ${form}; expected it with --as scorm`);
   const percent = pass === undefined ? null : readCount('pass', pass, [1, 100]);
-  const { writeLesson } = await import('./write-lesson.ts');
   const written = await writeLesson(path, {
-    as,
+    as: form,
     pass: percent,
     out,
     words,
     player: new URL('./player/', import.meta.url),
   });
   for (const line of written.left) console.error(`left out: ${line}`);
-  console.log(`${written.name}: ${written.count} files, ${(written.bytes / 1e6).toFixed(1)} MB`);
+  const size = `${(written.bytes / 1e6).toFixed(1)} MB`;
+  console.log(`${written.name}: ${written.count} ${written.count === 1 ? 'file' : 'files'}, ${size}`);
+  if (written.isLarge)
+    console.error(
+      `${written.name} has ${size}: many mail systems and courses take at most 25 MB, and a phone may not open it`,
+    );
 }
 
 function readCount(name: string, text: string, [low, high] = [1, Number.MAX_SAFE_INTEGER]): number {

@@ -5,10 +5,12 @@ import { zipSync } from 'fflate';
 import type { Zippable } from 'fflate';
 import {
   LessonError,
+  largeFile,
   listManifestFiles,
   readLesson,
   writePageFiles,
   writeScormFiles,
+  writeSingleFile,
 } from '../../lesson-writers/src/index.ts';
 import type { Lesson, LessonFile, LessonProblem } from '../../lesson-writers/src/index.ts';
 import { nameFiles } from './name-files.ts';
@@ -22,8 +24,13 @@ export interface LessonWords {
   readonly credits?: string;
 }
 
+export const lessonForms = ['page', 'single-file', 'scorm', 'scorm-2004'] as const;
+
+/** What a lesson becomes: a folder, one page, or an archive. */
+export type LessonForm = (typeof lessonForms)[number];
+
 interface LessonOptions {
-  readonly as: 'page' | 'scorm' | 'scorm-2004';
+  readonly as: LessonForm;
   /** Percent of the questions. */
   readonly pass: number | null;
   readonly out: string | undefined;
@@ -36,26 +43,43 @@ interface LessonOptions {
 const maxBytes = 2 ** 29;
 
 /**
- * Reads a lesson with the files that it names, and writes it: a folder, or a ZIP archive.
+ * Reads a lesson with the files that it names, and writes it: a folder, a page, or a ZIP archive.
  * @param path - of the HTML
  * @throws {LessonError} where something in it is refused
  */
 export async function writeLesson(path: string, { as, pass, out, words, player }: LessonOptions) {
   const { lesson, left } = await readLessonFiles(path, words);
-  const parts = await readPlayer(fileURLToPath(player));
-  const files =
-    as === 'page'
-      ? writePageFiles(lesson, parts)
-      : writeScormFiles(lesson, parts, { version: as === 'scorm' ? '1.2' : '2004', pass });
+  const files = makeFiles(lesson, await readPlayer(fileURLToPath(player)), as, pass);
   const own = nameFiles(path.replace(/\.x?html?$/i, ''));
-  const target = resolve(out ?? (as === 'page' ? `${own}-page` : `${own}.zip`));
-  if (as === 'page') await checkFolder(target);
-  const packed = as === 'page' ? null : zipFiles(files);
-  if (packed) await writeWhole(dirname(target), basename(target), packed);
-  else
-    await writeFolder(dirname(target), basename(target), Object.fromEntries(files.map((one) => [one.path, one.bytes])));
-  const bytes = packed?.length ?? files.reduce((sum, one) => sum + one.bytes.length, 0);
-  return { name: out ?? basename(target), count: files.length, bytes, left };
+  const target = resolve(out ?? own + endings[as]);
+  const one = as === 'page' ? null : as === 'single-file' ? files[0].bytes : zipFiles(files);
+  if (one && target === resolve(path)) throw new RangeError('got the lesson itself as --out; expected another name');
+  if (one) await writeWhole(dirname(target), basename(target), one);
+  else {
+    await checkFolder(target);
+    await writeFolder(
+      dirname(target),
+      basename(target),
+      Object.fromEntries(files.map((file) => [file.path, file.bytes])),
+    );
+  }
+  const bytes = one?.length ?? files.reduce((sum, file) => sum + file.bytes.length, 0);
+  const isLarge = as === 'single-file' && bytes > largeFile;
+  return { name: out ?? basename(target), count: files.length, bytes, left, isLarge };
+}
+
+/** How names end that are made from that of the lesson. */
+const endings: Readonly<Record<LessonForm, string>> = {
+  page: '-page',
+  'single-file': '-single.html',
+  scorm: '.zip',
+  'scorm-2004': '.zip',
+};
+
+function makeFiles(lesson: Lesson, player: readonly LessonFile[], as: LessonForm, pass: number | null): LessonFile[] {
+  if (as === 'page') return writePageFiles(lesson, player);
+  if (as === 'single-file') return writeSingleFile(lesson, player);
+  return writeScormFiles(lesson, player, { version: as === 'scorm' ? '1.2' : '2004', pass });
 }
 
 /** A folder is written as a whole: one with other files stays. */

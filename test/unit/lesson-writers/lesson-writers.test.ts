@@ -6,6 +6,7 @@ import {
   readLesson,
   writePageFiles,
   writeScormFiles,
+  writeSingleFile,
 } from '../../../packages/lesson-writers/src/index.ts';
 import type { Lesson, LessonFile } from '../../../packages/lesson-writers/src/index.ts';
 import { volumeElements } from '../../../packages/lesson-writers/src/volume-elements.ts';
@@ -276,6 +277,51 @@ describe('writers of lessons', () => {
         expect(text).to.contain('O&#39;Neil, 2024');
       }
     }
+  });
+
+  it('write one file that has all inside, and runs no script but those of the element', () => {
+    const files = [
+      { path: 'a/volume.json', bytes: bytesOf('{"image":"volume.png","scans":[{"image":"volume.png"}]}') },
+      { path: 'a/volume.png', bytes: bytesOf('pixels') },
+      { path: 'N46E007.hgt', bytes: bytesOf('heights') },
+    ];
+    const own = [
+      { path: 'volume-view.iife.js', bytes: bytesOf('own("</script><!--")') },
+      { path: 'volume-view.css', bytes: bytesOf('volume-view { display: block }') },
+      { path: 'x3dom.js', bytes: bytesOf('x3dom') },
+      { path: 'classic/1-x.js', bytes: bytesOf('part') },
+      { path: 'THIRD-PARTY-LICENSES.txt', bytes: bytesOf('licences') },
+    ];
+    const html =
+      '<volume-view src="a/volume.json" poster="a/volume.png"><volume-terrain src="N46E007.hgt"></volume-terrain></volume-view><p>&lt;/script&gt;&lt;script&gt;x&lt;/script&gt;</p>';
+    const lesson = lessonOf(html, { files, credits: '</footer><script>x</script>' });
+    const [{ path, bytes }, ...more] = writeSingleFile(lesson, own);
+    expect([path, more.length]).to.deep.equal(['index.html', 0]);
+    expect(writeSingleFile({ ...lesson, files: [files[2], files[0], files[1]] }, own)[0].bytes).to.deep.equal(bytes);
+    const page = new TextDecoder().decode(bytes);
+    const image = `data:image/png;base64,${btoa('pixels')}`;
+    const manifest = btoa(JSON.stringify({ image, scans: [{ image }] }));
+    expect(page).to.contain(`src="data:application/json;base64,${manifest}" poster="${image}"`);
+    expect(page).to.contain(
+      `<volume-terrain src="data:application/octet-stream;base64,${btoa('heights')}" corner="46 7">`,
+    );
+    expect(page).to.contain('own("\\x3c/script>\\x3c!--")');
+    // Two parts, which are texts, and two scripts that run: all with the same mark.
+    const scripts = [...page.matchAll(/<script( [^>]*)?>/g)].map(([, attributes]) => attributes);
+    const [, nonce] = /'nonce-([^']+)'/.exec(page)!;
+    expect(scripts).to.deep.equal([
+      ' type="text/plain" data-x3dom',
+      ' type="text/plain" data-part="1-x"',
+      ` nonce="${nonce}"`,
+      ` nonce="${nonce}"`,
+    ]);
+    expect(page).to.contain('CC0 1.0');
+    expect(page).not.to.match(/(?:src|href)="(?!data:)/);
+    expect(
+      refusal(() =>
+        writeSingleFile(lessonOf(view.replace('head.nii.gz', 'x.ozx'), { files: [{ path: 'x.ozx', bytes }] }), own),
+      ),
+    ).to.contain('OME-Zarr');
   });
 
   it('let links of a course open in a window of their own, and leave answers to the course', () => {

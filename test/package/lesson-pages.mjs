@@ -1,0 +1,58 @@
+// Pages of lessons in a browser, and their pictures: for the tests of what the writers of lessons make.
+import assert from 'node:assert/strict';
+import { decode } from 'fast-png';
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} allowed - how the addresses begin that a page may ask for
+ * @returns {Promise<{ page: import('@playwright/test').Page, problems: string[] }>} with what the console says, requests elsewhere, and those that fail
+ */
+export async function openLessonPage(browser, allowed) {
+  const context = await browser.newContext({ viewport: { width: 480, height: 700 } });
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const problems = [];
+  page.on('console', (message) => {
+    // A driver in software says that reading pixels takes long.
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall/.test(message.text()))
+      problems.push(message.text());
+  });
+  page.on('pageerror', (error) => problems.push(String(error)));
+  // Of a worker's script that is missing the console says nothing.
+  page.on('response', (response) => {
+    if (response.status() >= 400) problems.push(`${response.status()} ${response.url()}`);
+  });
+  page.on('request', (request) => {
+    if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(allowed)) problems.push(request.url());
+  });
+  return { page, problems };
+}
+
+/**
+ * The picture, when it is at rest, as the element gives it.
+ * @param {import('@playwright/test').Page | import('@playwright/test').FrameLocator} place
+ * @param {string} [selector]
+ */
+export async function pictureOf(place, selector = 'volume-view') {
+  const base64 = await place.locator(selector).evaluate(async (element) => {
+    const view = /** @type {any} */ (element);
+    view.scrollIntoView();
+    await view.whenRendered();
+    return btoa(
+      Array.from(new Uint8Array(await (await view.toBlob()).arrayBuffer()), (byte) => String.fromCharCode(byte)).join(
+        '',
+      ),
+    );
+  });
+  return decode(Buffer.from(base64, 'base64'));
+}
+
+/** The largest difference of two pictures, of 255. @param {any} a @param {any} b */
+export function difference(a, b) {
+  assert.deepEqual([a.width, a.height, a.channels], [b.width, b.height, b.channels]);
+  return a.data.reduce(
+    (/** @type {number} */ max, /** @type {number} */ x, /** @type {number} */ i) =>
+      Math.max(max, Math.abs(x - b.data[i])),
+    0,
+  );
+}
