@@ -166,11 +166,12 @@ test('from a folder of DICOM to a lesson of five steps and two questions, played
 
   // What is missing is said; then the package is written.
   await page.getByRole('button', { name: 'Export' }).click();
-  await expect(page.getByText('Say who made the data.')).toBeVisible();
+  const dialog = page.getByRole('dialog', { name: 'Take the lesson with you' });
+  await expect(dialog.getByText('Say who made the data.')).toBeVisible();
   await expect(page.getByRole('button', { name: 'Download' })).toBeDisabled();
-  await page.getByRole('textbox', { name: 'Title of the lesson' }).fill('The skull');
-  await page.getByRole('textbox', { name: 'Who made the data' }).fill('Made by a program');
-  await page.getByRole('textbox', { name: 'Licence of the data' }).fill('CC0 1.0');
+  await dialog.getByRole('textbox', { name: 'Title of the lesson' }).fill('The skull');
+  await dialog.getByRole('textbox', { name: 'Who made the data' }).fill('Made by a program');
+  await dialog.getByRole('textbox', { name: 'Licence of the data' }).fill('CC0 1.0');
   await page.getByRole('radio', { name: /SCORM 1\.2/ }).check();
   const [download] = await Promise.all([
     page.waitForEvent('download'),

@@ -59,7 +59,7 @@ export const english = {
   notLesson:
     'This file is no lesson of the studio. Expected the ZIP file that it wrote, or its index.html. Nothing has changed.',
   lessonWithoutData: 'The lesson is open, without its scan: an index.html does not hold it. Open the scan again.',
-  lessonLeft: (names: string) => `The lesson is open. The studio does not keep these parts of it: ${names}.`,
+  lessonLeft: (names: string) => `The studio does not keep these parts of it: ${names}.`,
   lessonOpened: 'The lesson is open.',
 
   // The bar.

@@ -63,11 +63,33 @@ export async function openLesson(file: Blob): Promise<OpenedLesson | null> {
   if (file.size > maxBytes) return null;
   const bytes = new Uint8Array(await file.arrayBuffer());
   const isZip = bytes[0] === 0x50 && bytes[1] === 0x4b;
-  if (!isZip) {
-    const read = readLessonHtml(new TextDecoder().decode(bytes));
-    return read && { lesson: read.lesson, data: null, left: read.left };
+  return isZip ? openPackage(bytes) : openPage(new TextDecoder().decode(bytes));
+}
+
+/** A page alone. One that was written as a single file holds its data as the address of its view. */
+async function openPage(html: string): Promise<OpenedLesson | null> {
+  let inside: string | null = null;
+  const light = html
+    .replace(/<script\b[^>]*>.*?<\/script>/gs, '')
+    .replace(/ src="(data:application\/json[^"]*)"/, (_, address: string) => {
+      inside = address;
+      return ' src="volume.json"';
+    });
+  const read = readLessonHtml(light);
+  if (!read) return null;
+  const data = inside === null ? null : await readDataUrl(inside);
+  return { lesson: { ...read.lesson, data: data?.id ?? null }, data, left: read.left };
+}
+
+/** A manifest with its image inside. @returns null where it is damaged */
+async function readDataUrl(address: string): Promise<LessonData | null> {
+  try {
+    const text = await (await fetch(address.replaceAll('&amp;', '&'))).text();
+    JSON.parse(text);
+    return { id: newDataId(), files: [{ path: 'volume.json', bytes: new TextEncoder().encode(text) }] };
+  } catch {
+    return null;
   }
-  return openPackage(bytes);
 }
 
 function openPackage(bytes: Uint8Array): OpenedLesson | null {

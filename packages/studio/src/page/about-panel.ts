@@ -31,5 +31,5 @@ export function renderAbout(studio: Studio): unknown {
     ${(['title', 'alt', 'credits', 'licence', 'language'] as const).map((name) => aboutField(studio, name, 'about'))}
     <h2>${words.dataTitle}</h2>
     <p class="hint">${words.faceWarning}</p>
-    <button id="change-data" @click=${() => studio.show({ screen: 'start', hasSource: false, problem: null })}>${words.changeData}</button>`;
+    <button id="change-data" @click=${() => studio.showStart()}>${words.changeData}</button>`;
 }

@@ -20,7 +20,7 @@ export function renderExport(studio: Studio): unknown {
     Object.assign(chosen, { kind, said: '' });
     studio.draw();
   };
-  return html`<h2 id="export-title">${words.exportTitle}</h2>
+  return html`<h2 id="export-heading">${words.exportTitle}</h2>
     ${(['title', 'credits', 'licence'] as const).map((name) => aboutField(studio, name, 'export'))}
     <p class="warning">${words.faceWarning}</p>
     ${lacks.length > 0 ? renderLacks(studio, lacks) : nothing}

@@ -124,7 +124,7 @@ function renderDialog(dialog: Before['dialog']): unknown {
     case null:
       return nothing;
     case 'export':
-      return html`<dialog class="export" aria-labelledby="export-title" @close=${close}>${renderExport(studio)}</dialog>`;
+      return html`<dialog class="export" aria-labelledby="export-heading" @close=${close}>${renderExport(studio)}</dialog>`;
     case 'preview':
       return html`<dialog class="preview" aria-labelledby="preview-title" @close=${close}>${renderPreview(studio)}</dialog>`;
     case 'again':
@@ -149,6 +149,18 @@ document.addEventListener('keydown', (event) => {
   if (isRedo) studio.redo();
   else studio.undo();
 });
+// A lesson that is dropped is no scan, although both may be ZIP archives.
+document.addEventListener(
+  'drop',
+  (event) => {
+    const [file, ...others] = event.dataTransfer?.files ?? [];
+    if (studio.before.screen !== 'start' || !file || others.length > 0 || !/\.(zip|html?)$/i.test(file.name)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    void studio.openDropped(file);
+  },
+  { capture: true },
+);
 // Elsewhere in the page a dropped file would take its place.
 for (const type of ['dragover', 'drop'] as const) document.addEventListener(type, (event) => event.preventDefault());
 

@@ -14,6 +14,7 @@ import type { History } from '../model/history.ts';
 import { cameraAttributes, emptyLesson } from '../model/lesson.ts';
 import type { Lesson, QuestionType, ViewAttributes } from '../model/lesson.ts';
 import { openLesson } from '../data/export-lesson.ts';
+import type { OpenedLesson } from '../data/export-lesson.ts';
 import { findData, findWork, forgetWork, keepData, keepWork } from '../data/keep-work.ts';
 import { asFiles, prepareData } from '../data/prepare.ts';
 import type { LessonData } from '../data/prepare.ts';
@@ -97,6 +98,11 @@ export class Studio {
     this.draw();
   }
 
+  /** Back to the first page, to open another scan. */
+  showStart(): void {
+    this.show({ screen: 'start', hasSource: false, problem: null, said: '' });
+  }
+
   /** Goes on with what the browser keeps. */
   async begin(): Promise<void> {
     try {
@@ -177,7 +183,9 @@ export class Studio {
     if (id !== (this.data?.id ?? null) && id !== null) this.data = await findData(id).catch(() => null);
     if (!this.data || (this.#shown === this.data && view.files)) return;
     this.#shown = this.data;
+    this.home = null;
     view.files = asFiles(this.data);
+    this.draw(); // Small pictures are of other data now.
   }
 
   addStep(): void {
@@ -292,7 +300,7 @@ export class Studio {
     this.data = data;
     const sample = this.#sample;
     const words = sample && { alt: this.words.samples[sample.name], credits: sample.credits, licence: sample.licence };
-    this.before = { ...this.before, screen: 'edit', hasSource: false, problem: null };
+    this.before = { ...this.before, screen: 'edit', hasSource: false, problem: null, said: '' };
     // Another scan has other places and values: only the looks of ours are its own.
     this.edit((lesson) => ({ ...lesson, ...words, data: data.id, ...(lesson.data === null ? { view: {} } : {}) }));
     if (this.history.past.length === 1 && this.history.past[0].data === null) this.history = startHistory(this.lesson);
@@ -313,24 +321,39 @@ export class Studio {
     return this.#whileBusy(this.words.keeping, async () => {
       const opened = await openLesson(file);
       if (!opened) throw new Error(this.words.notLesson);
-      const { lesson, data, left } = opened;
-      if (data) {
-        await this.#keepData(data);
-        this.data = data;
-      }
-      this.history = startHistory({ ...lesson, data: data?.id ?? null });
-      this.#keepSoon();
-      const { lessonOpened, lessonWithoutData, lessonLeft } = this.words;
-      const said = !data ? lessonWithoutData : left.length > 0 ? lessonLeft(left.join(', ')) : lessonOpened;
-      this.show({
-        screen: data ? 'edit' : 'start',
-        tab: 'steps',
-        step: lesson.steps[0]?.id ?? null,
-        said,
-        problem: data && left.length === 0 ? null : said,
-      });
-      this.showLesson(true);
+      await this.#useLesson(opened);
     });
+  }
+
+  async #useLesson({ lesson, data, left }: OpenedLesson): Promise<void> {
+    if (data) {
+      await this.#keepData(data);
+      this.data = data;
+    }
+    this.history = startHistory({ ...lesson, data: data?.id ?? null });
+    this.#keepSoon();
+    const { lessonOpened, lessonWithoutData, lessonLeft } = this.words;
+    const said = [
+      data ? lessonOpened : lessonWithoutData,
+      ...(left.length > 0 ? [lessonLeft(left.join(', '))] : []),
+    ].join(' ');
+    this.show({
+      screen: data ? 'edit' : 'start',
+      tab: 'steps',
+      step: lesson.steps[0]?.id ?? null,
+      ...(data && left.length === 0 ? { said, problem: null } : { said: '', problem: said }),
+    });
+    this.showLesson(true);
+  }
+
+  /** A ZIP archive or a page that was dropped: a lesson, or else a scan. */
+  async openDropped(file: File): Promise<void> {
+    const lesson = await openLesson(file).catch(() => null);
+    if (lesson) return this.#whileBusy(this.words.keeping, () => this.#useLesson(lesson));
+    const view = findSource();
+    if (!view) return;
+    view.series = null;
+    view.files = [file];
   }
 
   async startAgain(): Promise<void> {
