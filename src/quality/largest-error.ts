@@ -47,6 +47,8 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
  * these are cut by the samples at their ends, which do not show what lies between
  */
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
+  // How far the colours of channels are apart where their brightness is not, is not known.
+  if (seen.volume.channels && seen.cells.includes(1)) return 1;
   const missable = measureMissable(seen, 'among');
   const wanted = (cell: number): number =>
     codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : samplesAVoxel;

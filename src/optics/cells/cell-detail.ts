@@ -11,7 +11,7 @@ import type { TransferFunction } from '../transfer/transfer-function.ts';
 
 /** How a volume appears, as far as it matters for what samples could miss. */
 export interface SeenVolume {
-  readonly volume: Pick<VolumeData, 'grid' | 'macrocells' | 'slope' | 'intercept'>;
+  readonly volume: Pick<VolumeData, 'grid' | 'macrocells' | 'slope' | 'intercept' | 'channels'>;
   /** One byte per macrocell: 1 where something is visible. */
   readonly cells: Uint8Array;
   /** Already brightened. */

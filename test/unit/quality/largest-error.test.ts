@@ -14,6 +14,7 @@ import type { SeenVolume } from '../../../src/optics/cells/cell-detail.ts';
 import { buildMacrocells } from '../../../src/volume/macrocells.ts';
 import { offLine } from '../../../src/volume/cell-size.ts';
 import type { Waiting } from '../../../src/core/waiting.ts';
+import type { VolumeData } from '../../../src/volume/volume.ts';
 import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {
@@ -196,6 +197,15 @@ describe('the bound of what probes could have missed', () => {
         .to.be.above(largest)
         .and.below(0.9);
     }
+  });
+
+  it('is not known of the colours of channels, which may change where their brightness does not', () => {
+    const flat = see(() => 0.5, '0 #fff 10%, 1 #fff 10%');
+    expect(boundMissed(flat, 1)).to.equal(0);
+    const channels = { colors: new Uint8Array(), channels: [] } as unknown as VolumeData['channels'];
+    const colored = { ...flat, volume: { ...flat.volume, channels } };
+    expect(stateError(covered, boundMissed(colored, 1), 1).error.max).to.equal(null);
+    expect(boundMissed({ ...colored, cells: flat.cells.map(() => 0) }, 1), 'nothing is visible').to.equal(0);
   });
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
