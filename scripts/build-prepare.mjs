@@ -5,12 +5,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { licencesOfModules } from './licence-texts.mjs';
+import { playerFiles } from './player-files.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 const folder = join(projectRoot, 'packages/prepare');
-
-/** What a page of a lesson loads, of the folder dist of the element. */
-const player = ['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'classic', 'THIRD-PARTY-LICENSES.txt'];
 
 /** Build the folder dist; the element has been built before. @returns {Promise<void>} */
 export async function buildPrepare() {
@@ -48,7 +46,7 @@ export async function buildPrepare() {
     },
   });
   writeFileSync(join(folder, 'dist/THIRD-PARTY-LICENSES.txt'), licencesOfModules(modules));
-  for (const name of player)
+  for (const name of playerFiles)
     cpSync(join(projectRoot, 'dist', name), join(folder, 'dist/player', name), { recursive: true });
 }
 

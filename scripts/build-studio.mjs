@@ -6,18 +6,14 @@ import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
 import { build, defaultClientConditions } from 'vite';
 import { makeCodecModules, stripTexts } from './build-plugins.mjs';
+import { licencesOfModules } from './licence-texts.mjs';
+import { playerFiles } from './player-files.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 const folder = join(projectRoot, 'packages/studio');
 const out = join(folder, 'dist');
 const element = join(projectRoot, 'dist');
 const demos = join(projectRoot, 'demos');
-
-/** What the page, and each page of a lesson, loads of the element. */
-const player = ['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'classic', 'THIRD-PARTY-LICENSES.txt'];
-
-/** What the script of the page has inside, in addition to the element's libraries. */
-const libraries = ['parse5', 'entities'];
 
 /** The volumes to begin with, and their pictures. */
 const samples = {
@@ -26,7 +22,7 @@ const samples = {
   storm: { files: ['storm-radar-1500.json', 'storm-radar-1500.png'], picture: 'radar' },
 };
 
-/** @param {string} entry @param {string[]} conditions @returns {Promise<string>} a classic script */
+/** @param {string} entry @param {string[]} conditions @returns {Promise<{ code: string, modules: string[] }>} a classic script, and what it is made of */
 async function buildScript(entry, conditions) {
   const result = await build({
     configFile: false,
@@ -43,7 +39,7 @@ async function buildScript(entry, conditions) {
     },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
-  return output[0].code;
+  return { code: output[0].code, modules: output[0].moduleIds };
 }
 
 /** Writes a large file as a script: see src/data/parts.ts. @param {string} name @param {Uint8Array} bytes */
@@ -75,18 +71,12 @@ export async function buildStudio() {
   ];
   rmSync(out, { recursive: true, force: true });
   for (const one of ['parts', 'images', 'player']) mkdirSync(join(out, one), { recursive: true });
-  writeFileSync(join(out, 'studio.js'), page);
+  writeFileSync(join(out, 'studio.js'), page.code);
   for (const name of ['index.html', 'src/studio.css']) cpSync(join(folder, name), join(out, name.replace('src/', '')));
-  for (const name of player) cpSync(join(element, name), join(out, 'player', name), { recursive: true });
-  const licences = libraries.map(
-    (name) => `${name}\n\n${readFileSync(join(projectRoot, 'node_modules', name, 'LICENSE'), 'utf8').trim()}\n`,
-  );
-  writeFileSync(
-    join(out, 'LICENSES.txt'),
-    `Those of lit, fflate and x3dom are in player/THIRD-PARTY-LICENSES.txt.\n\n${licences.join('\n')}`,
-  );
-  writePart('prepare-worker', Buffer.from(worker));
-  writePart('player', zipSync(Object.assign({}, ...player.map(readFiles)), { level: 6 }));
+  for (const name of playerFiles) cpSync(join(element, name), join(out, 'player', name), { recursive: true });
+  writeFileSync(join(out, 'LICENSES.txt'), licencesOfModules([...page.modules, ...worker.modules]));
+  writePart('prepare-worker', Buffer.from(worker.code));
+  writePart('player', zipSync(Object.assign({}, ...playerFiles.map(readFiles)), { level: 6 }));
   for (const [name, { files, picture }] of Object.entries(samples)) {
     const packed = Object.fromEntries(files.map((file) => [file, readFileSync(join(demos, 'data', file))]));
     writePart(`sample-${name}`, zipSync(packed, { level: 0 }));

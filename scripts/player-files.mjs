@@ -1,0 +1,8 @@
+/** What a page of a lesson loads, of the folder dist of the element. */
+export const playerFiles = [
+  'volume-view.iife.js',
+  'volume-view.css',
+  'x3dom.js',
+  'classic',
+  'THIRD-PARTY-LICENSES.txt',
+];
