@@ -70,6 +70,9 @@ export async function showSign(
   sign.ariaHidden = 'true'; // Screen readers report what the picture shows, and the sign does not change that.
   const line = sign.appendChild(document.createElement('div'));
   root.append(sign);
+  // At the final picture the sign goes at once: who waits for `whenRendered()` may take a screenshot.
+  const removeWhenFinal = (): void => void (refined() || sign.remove());
+  view.addEventListener('render', removeWhenFinal);
   for (let pictures = refined(); pictures; pictures = refined()) {
     const { gathered } = pictures;
     line.classList.toggle('unknown', gathered === null);
@@ -77,5 +80,6 @@ export async function showSign(
     else line.style.setProperty('--_share', gathered.toFixed(3));
     await new Promise((resolve) => setTimeout(resolve, pace));
   }
+  view.removeEventListener('render', removeWhenFinal);
   sign.remove();
 }

@@ -90,7 +90,20 @@ describe('the sign that a picture is refined', () => {
     for (let i = 0; i < 100 && Math.abs(line.offsetWidth / sign.offsetWidth - 0.4) > 0.01; i++) await wait(50); // It glides, as fast as the page draws.
     expect(line.className).to.equal('');
     expect(line.offsetWidth / sign.offsetWidth).to.be.closeTo(0.4, 0.01);
+    view.dispatchEvent(new CustomEvent('render'));
+    expect(signOf(view), 'another coarse picture').to.equal(sign);
     state.converged = true;
+    view.dispatchEvent(new CustomEvent('render'));
+    expect(signOf(view), 'a screenshot of the final picture is without it').to.equal(null);
+    view.remove();
+  });
+
+  it('goes when no picture follows', async () => {
+    const { view, presenter, state } = makeView();
+    followRefining(view, presenter);
+    await wait(1150);
+    expect(signOf(view)).not.to.equal(null);
+    state.unfinished = false;
     await wait(200);
     expect(signOf(view)).to.equal(null);
     view.remove();
