@@ -309,7 +309,6 @@ newPageTest(
           });
       }, 50);
       await element.whenRendered();
-      await new Promise((resolve) => setTimeout(resolve, 300));
       clearInterval(timer);
       return { reported, left: root.querySelectorAll('.refining').length, converged: element.renderStats!.converged };
     });
