@@ -2,6 +2,7 @@ import type { VolumeInfo } from '../../src/viewer/model/volume-info.ts';
 import type { RadarPlace, VolumePick } from '../../src/viewer/model/volume-pick.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
+import { extentOf, nameLengths, unitOfPlaces } from '../../src/messages/length-unit.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { ReadoutMessages } from '../../src/messages/readout-messages.ts';
 
@@ -9,6 +10,8 @@ import type { ReadoutMessages } from '../../src/messages/readout-messages.ts';
 export interface Row {
   readonly name: string;
   readonly text: string;
+  /** Of the swatch, CSS; '' for a swatch that is not seen. */
+  readonly color?: string;
 }
 
 /** How rows are written. */
@@ -46,9 +49,10 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
       return found && found.value !== null ? writeValue(found.value, found.unit) : none;
     });
   // The sum of the channels' shares is no value of the file.
-  const values: Row[] = volume.channels?.map(({ number, name }) => ({
+  const values: Row[] = volume.channels?.map(({ number, name, color }) => ({
     name: name || messages.channel(language.number(number)),
     text: writeLayer(number),
+    color: pick ? `rgb(${color.map((part) => Math.round(255 * part)).join(' ')})` : '',
   })) ?? [value];
   const layers: Row[] =
     typeof style.layer !== 'string'
@@ -109,8 +113,13 @@ function listRadarRows(
 
 /** A place in words, with a precision of about a tenth of a voxel. */
 export function writePlace(world: Vector3, volume: VolumeInfo, { language, messages, coordinates }: RowStyle): string {
-  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...volume.spacing)))));
   const asked = coordinates?.trim().toLowerCase();
+  // Numbers without a unit are those of the volume's world, as attributes have them.
+  const hasUnit = asked === 'patient' || (asked !== 'xyz' && isInMillimetres(volume));
+  const unit = unitOfPlaces(hasUnit ? extentOf(volume) : Infinity);
+  const finest = unit.perMillimetre * Math.min(...volume.spacing);
+  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(finest))));
+  const write = (length: number): string => language.fixed(unit.perMillimetre * length, decimals);
   if (asked === 'patient' || (asked !== 'xyz' && isPatient(volume))) {
     const { right, left, anterior, posterior, superior, inferior } = messages.patient;
     const signs = [
@@ -118,12 +127,10 @@ export function writePlace(world: Vector3, volume: VolumeInfo, { language, messa
       [posterior, anterior],
       [inferior, superior],
     ];
-    const parts = world.map(
-      (length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`,
-    );
-    return messages.millimetres(parts.join(' '));
+    const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${write(Math.abs(length))}`);
+    return nameLengths(parts.join(' '), unit, messages);
   }
-  const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
+  const plain = world.map((length, axis) => `${'xyz'[axis]} ${write(length)}`).join(' ');
   // The file does not say whose axes these are; but the format says the unit.
-  return asked !== 'xyz' && isInMillimetres(volume) ? messages.millimetres(plain) : plain;
+  return hasUnit ? nameLengths(plain, unit, messages) : plain;
 }

@@ -3,6 +3,7 @@ import type { MeasureResult } from '../../src/viewer/tools/measuring.ts';
 import type { Statistics } from '../../src/volume/statistics.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { MeasureWordMessages } from '../../src/messages/measure-locale.ts';
+import { unitOfLength, unitOfVolume } from '../../src/messages/length-unit.ts';
 import type { Row } from '../internal/volume-readout-rows.ts';
 
 /** The language and messages in which a measure is written. */
@@ -14,8 +15,8 @@ export interface MeasureLocale {
 /** Digits of a value: enough for all values of 16 bits. */
 const valueDigits = 6;
 
-/** Lengths from this number on are written in the larger unit. */
-const large = { m: 1000, mm: Infinity, '': Infinity };
+/** Of a volume, as the uncertainty of a length is about one of them. */
+const voxelsAlong = 1000;
 
 /** The number of a measure with its uncertainty. */
 export function writeMeasure(result: MeasureResult, { language, messages }: MeasureLocale): string {
@@ -25,7 +26,10 @@ export function writeMeasure(result: MeasureResult, { language, messages }: Meas
       `${writeRounded(value, uncertainty, language)}°`,
       `${writeUncertainty(uncertainty, language)}°`,
     );
-  const { factor, unit } = type === 'distance' ? lengthScale(value, lengthUnit) : volumeScale(value, lengthUnit);
+  const { factor, unit } =
+    type === 'distance'
+      ? lengthScale(Math.max(value, uncertainty), lengthUnit, voxelsAlong * uncertainty)
+      : volumeScale(value, lengthUnit);
   return `${messages.plusMinus(writeRounded(value / factor, uncertainty / factor, language), writeUncertainty(uncertainty / factor, language))}${unit && ` ${unit}`}`;
 }
 
@@ -35,7 +39,7 @@ export function listMeasure(result: MeasureResult, isRadar: boolean, locale: Mea
   const { type, lengths, lengthUnit } = result;
   const number = writeMeasure(result, locale);
   if (type === 'distance' || type === 'angle') return [{ name: messages.measure[type], text: number }];
-  const { factor, unit } = lengthScale(Math.max(...lengths), lengthUnit);
+  const { factor, unit } = lengthScale(Math.max(...lengths), lengthUnit, Infinity);
   const written = lengths.map((one) => locale.language.number(one / factor)).join(' × ');
   return [
     { name: type === 'box' ? messages.measureSize : messages.measureRadius, text: `${written}${unit && ` ${unit}`}` },
@@ -81,17 +85,24 @@ function writeCount({ count, withoutData, cut }: Statistics, { language, message
   return withoutData > 0 ? messages.measureWithoutData(text, whole(withoutData)) : text;
 }
 
-function lengthScale(length: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
-  return Math.abs(length) >= large[unit] ? { factor: 1000, unit: 'km' } : { factor: 1, unit };
+/** What a length is divided by, and the unit it has then. @param extent - of the volume, in the unit */
+function lengthScale(
+  length: number,
+  lengthUnit: MeasureResult['lengthUnit'],
+  extent: number,
+): { factor: number; unit: string } {
+  if (lengthUnit === '') return { factor: 1, unit: '' };
+  if (lengthUnit === 'm') return length >= 1000 ? { factor: 1000, unit: 'km' } : { factor: 1, unit: 'm' };
+  const { unit, perMillimetre } = unitOfLength(length, extent);
+  return { factor: 1 / perMillimetre, unit };
 }
 
-function volumeScale(volume: number, unit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
-  if (unit === '') return { factor: 1, unit };
-  return volume >= 1000 && unit === 'mm'
-    ? { factor: 1000, unit: 'cm³' }
-    : unit === 'm' && volume >= 1e8
-      ? { factor: 1e9, unit: 'km³' }
-      : { factor: 1, unit: `${unit}³` };
+function volumeScale(volume: number, lengthUnit: MeasureResult['lengthUnit']): { factor: number; unit: string } {
+  if (lengthUnit === '') return { factor: 1, unit: '' };
+  if (lengthUnit === 'm') return volume >= 1e8 ? { factor: 1e9, unit: 'km³' } : { factor: 1, unit: 'm³' };
+  if (volume >= 1000) return { factor: 1000, unit: 'cm³' };
+  const { unit, perMillimetre } = unitOfVolume(volume);
+  return { factor: perMillimetre ** -3, unit: `${unit}³` };
 }
 
 /** The useful number of decimals: two digits of the uncertainty. */

@@ -3,9 +3,14 @@ import { factsStyles } from '../internal/facts-styles.ts';
 import { spokenStyles } from '../internal/spoken-styles.ts';
 
 const ownStyles = css`
+  /* The swatch is between names and texts, so that all texts begin at one line. */
+  dl {
+    column-gap: 2em;
+  }
+
   .swatch {
     display: inline-block;
-    margin-inline-end: 0.5em;
+    margin-inline: -1.3em 0.5em;
     border-radius: 50%; /* Round, as a square would look like a checkbox. */
   }
 

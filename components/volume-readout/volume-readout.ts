@@ -40,7 +40,7 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = {
  * @csspart row - a name and its text
  * @csspart name - the name: value, place, voxel ...
  * @csspart text - the value as text
- * @csspart swatch - a dot in the colour that the value has in the picture
+ * @csspart swatch - a dot in the colour that the value has in the picture, or of its channel
  * @csspart button - the buttons that show the crosshair and the curve
  * @csspart keys - the element that takes the keys while there is a crosshair
  * @csspart hint - the text next to the buttons, below the curve, and where there is no volume
@@ -60,7 +60,7 @@ export class VolumeReadout extends ReflectingElement {
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /**
-   * How places are written: `patient` with the letters of the patient's sides, in mm, or `xyz`; the default suits the file. Places in a
+   * How places are written: `patient` with the letters of the patient's sides, in mm (µm or nm in a small volume), or `xyz`, the numbers that attributes take; the default suits the file. Places in a
    * radar scan are written as the radar measures them.
    */
   @property() coordinates!: string | null;
@@ -175,9 +175,10 @@ export class VolumeReadout extends ReflectingElement {
     </div>`;
   }
 
-  /** The swatch has the colour of the value. */
+  /** The swatch has the colour of the value, or of its channel. */
   #renderRows(): unknown {
     const rows = this.#rows;
+    if (rows.some(({ color }) => color !== undefined)) return rows.map((row) => renderRow(row, row.color ?? null));
     const colored = Math.max(
       0,
       rows.findIndex(({ name }) => name === this.#locale.messages.value),

@@ -18,6 +18,7 @@ import { isInMillimetres, isPatient } from '../../src/volume/world-axes.ts';
 import { socketOf } from '../../src/viewer/model/view-socket.ts';
 import type { Language } from '../../src/messages/language.ts';
 import type { SliceMessages } from '../../src/messages/messages.ts';
+import { extentOf, nameLengths, unitOfPlaces } from '../../src/messages/length-unit.ts';
 
 /** Detail of `cursor-change`. */
 export interface SliceCursorDetail {
@@ -40,21 +41,24 @@ const longestBar = 0.3;
 
 /** A length in the world of a volume, with its unit where the format has one. */
 function writeLength(length: number, volume: Volume, { language, messages }: SliceLocale): string {
-  const written = language.number(length);
-  return isInMillimetres(volume) ? messages.millimetres(written) : written;
+  return isInMillimetres(volume) ? language.length(length, extentOf(volume.grid), messages) : language.number(length);
 }
 
 /** The position of the slice: `S 23.5 mm`, or a number where the file does not say whose axes they are. */
-export function describePlace(pane: SlicePane, locale: SliceLocale): string {
+export function describePlace(pane: SlicePane, { language, messages }: SliceLocale): string {
   const { normal } = pane.plane;
+  const { d } = toPlane(pane.plane, pane.place);
+  const volume = pane.sliced?.volume;
+  const hasUnit = volume !== undefined && isInMillimetres(volume);
+  const unit = unitOfPlaces(hasUnit ? extentOf(volume.grid) : Infinity);
   // A tenth of a voxel: a hundredth of a millimetre is a whole cell.
-  const finest = Math.min(...(pane.sliced?.volume.grid.spacing ?? [1]));
+  const finest = unit.perMillimetre * Math.min(...(volume?.grid.spacing ?? [1]));
   const decimals = Math.min(6, Math.max(2, Math.ceil(1 - Math.log10(finest))));
-  const d = Number(toPlane(pane.plane, pane.place).d.toFixed(decimals));
-  if (!pane.sliced) return locale.language.number(d);
-  const { volume } = pane.sliced;
-  if (!isPatient(volume)) return writeLength(d, volume, locale);
-  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, locale)}`;
+  const place = Number((unit.perMillimetre * d).toFixed(decimals));
+  const isSided = volume !== undefined && isPatient(volume);
+  const number = language.number(isSided ? Math.abs(place) : place);
+  const written = hasUnit ? nameLengths(number, unit, messages) : number;
+  return isSided ? `${sideLetters(place < 0 ? scale(normal, -1) : normal)} ${written}` : written;
 }
 
 /** The name of the label at the crosshair, and the value there, with its unit. */

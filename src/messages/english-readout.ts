@@ -21,6 +21,8 @@ export const english: ReadoutMessages = {
   west: 'W',
   patient: { right: 'R', left: 'L', anterior: 'A', posterior: 'P', superior: 'S', inferior: 'I' },
   millimetres: (lengths) => `${lengths} mm`,
+  micrometres: (lengths) => `${lengths} µm`,
+  nanometres: (lengths) => `${lengths} nm`,
   kilometres: (distance) => `${distance} km`,
   metres: (height) => `${height} m`,
   pointHint: 'Point at the picture, or tap it.',

@@ -5,6 +5,8 @@ export const english: SliceMessages = {
   slice: { axial: 'Axial slice', coronal: 'Coronal slice', sagittal: 'Sagittal slice', oblique: 'Oblique slice' },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `average of ${thickness}`,
     max: (thickness) => `maximum of ${thickness}`,

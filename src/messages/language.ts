@@ -1,3 +1,5 @@
+import { nameLengths, unitOfLength } from './length-unit.ts';
+import type { LengthMessages } from './length-unit.ts';
 import type { CompanionMessages } from './messages.ts';
 
 /** Numbers smaller or larger than these are written with an exponent. */
@@ -45,6 +47,12 @@ export class Language {
   /** A number with its unit, if it has one. */
   value(value: number, unit: string, digits?: number): string {
     return unit ? `${this.number(value, digits)} ${unit}` : this.number(value, digits);
+  }
+
+  /** A length in the unit that suits it. @param length - mm @param extent - the largest side of the volume, mm */
+  length(length: number, extent: number, messages: LengthMessages): string {
+    const unit = unitOfLength(length, extent);
+    return nameLengths(this.number(unit.perMillimetre * length), unit, messages);
   }
 
   /** Two values of one unit, with enough digits to differ. */

@@ -170,6 +170,8 @@ export interface SliceMessages {
   /** A slice and its position. */
   readonly sliceAt: (slice: string, place: string) => string;
   readonly millimetres: (length: string) => string;
+  readonly micrometres: (length: string) => string;
+  readonly nanometres: (length: string) => string;
   /** The value that is shown of a thick slice. */
   readonly slab: Readonly<Record<'average' | 'max' | 'min', (thickness: string) => string>>;
   /** Width and level of the window, as radiologists write them. */

@@ -25,6 +25,8 @@ export interface ReadoutMessages {
   /** Short for the patient's right and left, front and back, head and feet. */
   readonly patient: Readonly<Record<'right' | 'left' | 'anterior' | 'posterior' | 'superior' | 'inferior', string>>;
   readonly millimetres: (lengths: string) => string;
+  readonly micrometres: (lengths: string) => string;
+  readonly nanometres: (lengths: string) => string;
   readonly kilometres: (distance: string) => string;
   readonly metres: (height: string) => string;
   /** The hint while nothing is pointed at. */

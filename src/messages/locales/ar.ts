@@ -110,6 +110,8 @@ export const messages: Messages = {
   slice: { axial: 'مقطع محوري', coronal: 'مقطع إكليلي', sagittal: 'مقطع سهمي', oblique: 'مقطع مائل' },
   sliceAt: (slice, place) => `${slice}، ${place}`,
   millimetres: (length) => `${length} مم`,
+  micrometres: (length) => `${length} ميكرومتر`,
+  nanometres: (length) => `${length} نانومتر`,
   slab: {
     average: (thickness) => `متوسط ${thickness}`,
     max: (thickness) => `أعلى قيمة في ${thickness}`,

@@ -120,6 +120,8 @@ export const messages: Messages = {
   },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `Mittel aus ${thickness}`,
     max: (thickness) => `Maximum aus ${thickness}`,

@@ -112,6 +112,8 @@ export const messages: Messages = {
   slice: { axial: 'Corte axial', coronal: 'Corte coronal', sagittal: 'Corte sagital', oblique: 'Corte oblicuo' },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `media de ${thickness}`,
     max: (thickness) => `máximo de ${thickness}`,

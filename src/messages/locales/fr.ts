@@ -112,6 +112,8 @@ export const messages: Messages = {
   slice: { axial: 'Coupe axiale', coronal: 'Coupe coronale', sagittal: 'Coupe sagittale', oblique: 'Coupe oblique' },
   sliceAt: (slice, place) => `${slice}, ${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `moyenne de ${thickness}`,
     max: (thickness) => `maximum de ${thickness}`,

@@ -110,6 +110,8 @@ export const messages: Messages = {
   slice: { axial: '横断面', coronal: '冠状断面', sagittal: '矢状断面', oblique: '斜断面' },
   sliceAt: (slice, place) => `${slice}、${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `${thickness} の平均`,
     max: (thickness) => `${thickness} の最大`,

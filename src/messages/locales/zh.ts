@@ -110,6 +110,8 @@ export const messages: Messages = {
   slice: { axial: '横断面', coronal: '冠状面', sagittal: '矢状面', oblique: '斜切面' },
   sliceAt: (slice, place) => `${slice}，${place}`,
   millimetres: (length) => `${length} mm`,
+  micrometres: (length) => `${length} µm`,
+  nanometres: (length) => `${length} nm`,
   slab: {
     average: (thickness) => `${thickness} 的平均`,
     max: (thickness) => `${thickness} 的最大值`,

@@ -75,6 +75,20 @@ describe('what was measured, in words', () => {
     expect(written({ type: 'sphere', value: 2.5e12, uncertainty: 3e11, lengthUnit: 'm' })).to.equal('2500 ± 300 km³');
   });
 
+  it('has the unit that suits its size', () => {
+    expect(written({ value: 0.012, uncertainty: 0.0002 })).to.equal('12.00 ± 0.20 µm');
+    expect(written({ value: 0.25, uncertainty: 0.0003 })).to.equal('250.00 ± 0.30 µm');
+    expect(written({ value: 0.7, uncertainty: 0.3 }), 'the thickness of a slice').to.equal('0.70 ± 0.30 mm');
+    expect(written({ value: 1, uncertainty: 0.001 })).to.equal('1.0000 ± 0.0010 mm');
+    expect(written({ value: 0.0004, uncertainty: 0.00001 })).to.equal('400 ± 10 nm');
+    expect(written({ value: 0, uncertainty: 0.0002 }), 'no length').to.equal('0 ± 200 nm');
+    expect(written({ type: 'sphere', value: 4.19e-6, uncertainty: 2.3e-7 })).to.equal('4190 ± 230 µm³');
+    expect(written({ type: 'sphere', value: 4.19e-15, uncertainty: 2.3e-16 })).to.equal('4190 ± 230 nm³');
+    expect(written({ type: 'sphere', value: 0.0042, uncertainty: 0.0002 })).to.equal('0.00420 ± 0.00020 mm³');
+    const box = { ...plain, type: 'box', value: 6e-6, uncertainty: 1e-6, lengths: [0.03, 0.02, 0.01] } as const;
+    expect(listMeasure(box, false, locale)[0].text).to.equal('30 × 20 × 10 µm');
+  });
+
   it('says what is inside, what the surface cuts, and what has no data', () => {
     const statistics = {
       count: 900,

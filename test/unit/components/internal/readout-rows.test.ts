@@ -8,6 +8,7 @@ import type { VolumeInfo } from '../../../../src/viewer/model/volume-info.ts';
 import type { RadarPlace, VolumePick } from '../../../../src/viewer/model/volume-pick.ts';
 import { english as companions } from '../../../../src/messages/english-companions.ts';
 import { english } from '../../../../src/messages/english-readout.ts';
+import { messages as arabic } from '../../../../src/messages/locales/ar.ts';
 import { Language } from '../../../../src/messages/language.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
@@ -67,6 +68,43 @@ describe('the rows of a readout', () => {
     ] as const) {
       expect(listRows(pick, info({ spacing: [20, spacing, 30] }), style())[1].text).to.equal(text);
     }
+  });
+
+  it('have places in the unit that suits the size of the volume', () => {
+    const seen = { ...pick, world: [-0.02314, -0.004, 0.0052] as const };
+    const cells = (spacing: number, coordinates: string | null = null, code = 'en'): string =>
+      listRows(
+        seen,
+        info({
+          format: 'OME-Zarr 0.5',
+          anatomical: undefined,
+          dimensions: [100, 80, 40],
+          spacing: [spacing, spacing, spacing],
+        }),
+        { ...style(code, coordinates), messages: code === 'ar' ? { ...english, ...arabic } : english },
+      )[1].text;
+    expect(cells(2e-4)).to.equal('x −23.14 y −4.00 z 5.20 µm');
+    expect(cells(1e-3)).to.equal('x −23.1 y −4.0 z 5.2 µm');
+    expect(cells(5e-6)).to.equal('x −23140 y −4000 z 5200 nm');
+    expect(cells(0.02), 'micro-CT').to.equal('x −0.023 y −0.004 z 0.005 mm');
+    expect(cells(1e-3, 'patient')).to.equal('L 23.1 P 4.0 S 5.2 µm');
+    expect(cells(1e-3, 'xyz'), 'what attributes have').to.equal('x −0.0231 y −0.0040 z 0.0052');
+    expect(cells(1e-3, null, 'ar')).to.equal('x \u200e−23.1 y \u200e−4.0 z 5.2 ميكرومتر');
+  });
+
+  it('have the colours of channels', () => {
+    const channels = [
+      { number: 1, name: 'DNA', color: [0, 0, 1] as const, window: [0, 1] as const },
+      { number: 3, name: '', color: [1, 0.5, 0] as const, window: [0, 1] as const },
+    ];
+    const layers = [{ name: 'DNA', value: 7, unit: '', channel: 1 }];
+    const rows = (found: VolumePick | null) => listRows(found, info({ channels }), style()).slice(0, 3);
+    expect(rows({ ...pick, layers })).to.deep.equal([
+      { name: 'DNA', text: '7', color: 'rgb(0 0 255)' },
+      { name: 'Channel 3', text: '–', color: 'rgb(255 128 0)' },
+      { name: 'Place', text: 'L 23.1 P 4.0 S 55.3 mm' },
+    ]);
+    expect(rows(null).map(({ color }) => color)).to.deep.equal(['', '', undefined]);
   });
 
   it("have letters where the file is a patient's, or the author says so", () => {
