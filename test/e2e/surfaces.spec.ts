@@ -11,14 +11,17 @@ import {
   settle,
   takePicture,
   test,
+  waitForEvent,
   withElement,
 } from './helpers/harness.ts';
+import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 
 const folder = '/test/e2e/pages/data/surfaces';
 const files: Record<string, Buffer> = {
   'ball.ply': Buffer.from(ballPly([0, 0, 0], 9)),
+  'large.ply': Buffer.from(ballPly([10, 4, 0], 12)),
   'eight.gltf': Buffer.from(octahedronGltf(0.009)),
   'broken.stl': Buffer.from('solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\n'),
   'N10E020.hgt': Buffer.from(
@@ -63,6 +66,41 @@ const pickMiddle = (page: Page): Promise<unknown> =>
   });
 
 test.describe('surfaces', () => {
+  test('are framed in the same way whether their file comes before the volume or after the first picture, and move no camera of a reader', async ({
+    page,
+  }) => {
+    await serve(page);
+    const frame = (inside: string): string =>
+      view(inside).replace('interaction="none" camera-orbit="0deg 90deg auto"', 'region="-10 -10 -10 10 10 10"');
+    const surface = `<volume-surface src="${folder}/large.ply"></volume-surface>`;
+    const camera = (): Promise<CameraState> => withElement(page, ({ camera }) => camera!);
+    await open(page, frame(surface));
+    await settle(page);
+    const early = await camera();
+    // Now the file of the surface waits until the volume is in the picture.
+    for (const isMoved of [false, true]) {
+      let give = (): void => {};
+      const given = new Promise<void>((resolve) => (give = resolve));
+      await page.route(`**${folder}/large.ply`, (route) => given.then(() => route.fallback()), { times: 1 });
+      await open(page, frame(surface));
+      await waitForEvent(page, 'render');
+      const alone = await camera();
+      expect(alone).not.toEqual(early);
+      if (isMoved) {
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('ArrowLeft');
+        await waitForEvent(page, 'camera-change');
+      }
+      give();
+      await settle(page);
+      const { orbit } = await camera();
+      if (isMoved) {
+        expect(orbit.theta).not.toBe(alone.orbit.theta);
+        expect(orbit.radius).toBe(alone.orbit.radius);
+      } else expect(await camera()).toEqual(early);
+    }
+  });
+
   test('stand in the volume, are cut by ClipPlanes and picked; what is wrong is said, and nothing is lost', async ({
     page,
   }) => {

@@ -17,6 +17,8 @@ const problems = new WeakMap<ViewSocket, Map<Element, unknown>>();
 /** The place of a surface in a <volume-view>; it is also the part that shows it in the view. */
 export class SurfaceTarget implements AttachmentTarget, ViewPart {
   readonly key: string;
+  /** Whether it was in the page before the first picture: where its file comes later, the camera frames it too. */
+  readonly isExpected: boolean;
   #waitNoMore = (): void => {};
   /** The last surface to be shown, uncut. */
   #whole: ShownSurface | null = null;
@@ -36,6 +38,7 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
     readonly element: HTMLElement,
   ) {
     this.key = element.localName;
+    this.isExpected = !socket.view?.viewer?.drawn;
   }
 
   /** Such a place is only made after its view is defined. */
@@ -89,7 +92,10 @@ export class SurfaceTarget implements AttachmentTarget, ViewPart {
     this.#waiting++;
     try {
       const coming = this.#sceneComes();
-      await (hasJoined ? this.socket.update(this) : this.socket.join(this));
+      const isJoining = hasJoined ? this.socket.update(this) : this.socket.join(this);
+      const { viewer } = this.view;
+      if (viewer && (!viewer.drawn || (this.isExpected && !hasJoined))) viewer.reframe();
+      await isJoining;
       await coming;
       await this.#bringing;
     } finally {

@@ -45,6 +45,8 @@ export interface ViewPart {
   readonly surface?: ShownSurface | null;
   /** World places that must be in the picture when the camera frames the volume. */
   bounds?(): readonly Vector3[];
+  /** Whether the camera frames the part even if it comes after the first picture. */
+  readonly isExpected?: boolean;
   /** What the part cuts away from the volume; null for nothing. @throws {VolumeViewError} `attribute/invalid` */
   clip?(): ClipShape | null;
   /** Called when the cuts of the volume may have changed. */
@@ -142,7 +144,9 @@ export interface SocketViewer {
   readonly rig: SocketRig;
   /** Draw soon. */
   invalidate(): void;
-  /** Frame the subject again, if there is no picture yet and nobody has moved the camera. */
+  /** Whether there is a picture; the volume in it. */
+  readonly drawn: Volume | null;
+  /** Frame the subject again, if nobody has moved the camera. */
   reframe(): void;
 }
 
@@ -240,7 +244,6 @@ export class ViewSocket {
     if (part.clip) view?.cutAgain();
     const { viewer } = view ?? {};
     if (!viewer) return;
-    if (part.bounds) viewer.reframe();
     if (!part.apply && !part.remove && !part.bounds) return;
     // A scene that is being built applies the part itself. It comes into use when all callbacks that are ready now have run.
     if (!viewer.scene) await new Promise((resolve) => setTimeout(resolve));

@@ -246,9 +246,9 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
     this.invalidate();
   }
 
-  /** Frame the subject again, if there is no picture yet and nobody has moved the camera. */
+  /** Frame the subject again, if nobody has moved the camera. */
   reframe(): void {
-    if (!this.drawn && !this.leftAttributes) this.rig.resetAtOnce();
+    if (!this.leftAttributes) this.rig.resetAtOnce();
   }
 
   /** Turn to a side of the world, radians. */

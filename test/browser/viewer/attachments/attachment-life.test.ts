@@ -79,7 +79,7 @@ describe('next to a volume', () => {
   it('a surface that waits for a scene is reported once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
     const host = document.createElement('div');
     const socket = socketOf(host);
-    const given = { volume: {}, scene: null as Scene | null, invalidate: () => {}, reframe: () => {} };
+    const given = { volume: {}, scene: null as Scene | null, invalidate: () => {}, drawn: null, reframe: () => {} };
     const viewer = fakeSocketViewer(given);
     const work: Promise<unknown>[] = [];
     const presenter = {

@@ -27,6 +27,7 @@ function createView() {
     shown,
     scene: fakeScene({ loadLines: async () => null }),
     invalidate: () => {},
+    drawn: null,
     reframe: () => {},
   });
   socket.view = fakeSocketView({

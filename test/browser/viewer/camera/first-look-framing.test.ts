@@ -273,6 +273,8 @@ describe('surfaces that are larger than what is seen', () => {
     host.dispatchEvent(new Event('render'));
     void socketOf(host).join(part);
     expect(framing(from, null), 'after a picture without it').to.deep.equal(bare);
+    void socketOf(host).join({ ...part, isExpected: true });
+    expect(framing(from, null), 'its file was loading then').to.deep.equal(both);
     expect(
       placesOf({ ...surface, terrain: { error: 0, meanError: 0, heights: [0, 1], voids: 0 } }),
       'terrain',
