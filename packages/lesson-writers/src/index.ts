@@ -2,7 +2,7 @@ export { LessonError } from './lesson.ts';
 export type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 export { listManifestFiles } from './manifest-files.ts';
 export { readLesson } from './read-lesson.ts';
-export type { LessonContent, LessonElement, LessonNode } from './read-lesson.ts';
+export type { LessonContent, LessonElement, LessonNode } from './check-lesson-html.ts';
 export { escapeMarkup } from './write-html.ts';
 export { writePageFiles } from './write-page.ts';
 export { largeFile, writeSingleFile } from './write-single-file.ts';

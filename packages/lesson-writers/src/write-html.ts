@@ -1,5 +1,5 @@
 import { fileAttributes } from './allowed-html.ts';
-import { listAddresses, type LessonNode } from './read-lesson.ts';
+import { listAddresses, type LessonNode } from './check-lesson-html.ts';
 import { readAddress } from './lesson-paths.ts';
 
 const signs: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };

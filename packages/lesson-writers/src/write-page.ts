@@ -4,7 +4,7 @@ import { cleanPath, dataFolder, writeAddress } from './lesson-paths.ts';
 import type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 import { LessonError } from './lesson.ts';
 import { readLesson } from './read-lesson.ts';
-import type { LessonNode } from './read-lesson.ts';
+import type { LessonNode } from './check-lesson-html.ts';
 import { escapeMarkup, writeNodes } from './write-html.ts';
 import type { HtmlForm } from './write-html.ts';
 

@@ -4,8 +4,8 @@ import { cleanPath, readAddress } from './lesson-paths.ts';
 import type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 import { LessonError } from './lesson.ts';
 import { fillManifest } from './manifest-files.ts';
-import type { LessonElement, LessonNode } from './read-lesson.ts';
-import { listAddresses } from './read-lesson.ts';
+import type { LessonElement, LessonNode } from './check-lesson-html.ts';
+import { listAddresses } from './check-lesson-html.ts';
 import script from './single-file.js?raw';
 import { checkLesson, encode, folderForm, playerScript, writePage } from './write-page.ts';
 
