@@ -4,7 +4,7 @@
 //   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js itself fetches those that a page needs
 //   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed iframes, where modules are blocked
 //   dist/classic/**          the parts of the classic script that few pages need
-//   dist/embed.html          a page with one volume, for iframes
+//   dist/embed.html          a page with one volume or a lesson, for iframes; embed-parent.js is for the page around them
 //   dist/from-disk.html      a page that makes a page with a volume inside, which then works from disk
 //   dist/volume-view.css     the box of the element before its script has loaded
 // It also writes the types, the decode worker, x3dom as a classic script, and the licences of the bundled packages.
@@ -210,18 +210,22 @@ function readX3dom() {
   return note + escapeToAscii(text);
 }
 
-/** Copy the page for iframes, the page that makes pages for the disk, and the style sheet for pages whose script is late. */
+/** Copy the page that makes pages for the disk, and the style sheet for pages whose script is late. */
 function copyPages() {
-  for (const name of [
-    'embed.html',
-    'embed.css',
-    'embed.js',
-    'from-disk.html',
-    'from-disk.css',
-    'from-disk.js',
-    'volume-view.css',
-  ])
+  for (const name of ['from-disk.html', 'from-disk.css', 'from-disk.js', 'volume-view.css'])
     copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+}
+
+/** The page for iframes, and the script for the pages around them. */
+async function buildEmbed() {
+  const folder = join(projectRoot, 'packages/embed');
+  for (const [entry, name] of [
+    ['main.ts', 'embed.js'],
+    ['parent.ts', 'embed-parent.js'],
+  ])
+    writeFileSync(join(dist, name), escapeToAscii(await buildText(join(folder, 'src', entry), 'iife')));
+  for (const name of ['embed.html', 'embed.css']) copyFileSync(join(folder, name), join(dist, name));
+  copyFileSync(join(projectRoot, 'packages/lesson-writers/src/lesson.css'), join(dist, 'embed-lesson.css'));
 }
 
 /** Put the new build in the place of the old one, with two renames: files are missing only for a moment between them. */
@@ -287,6 +291,7 @@ buildManifest();
 writeTagData(dist);
 writeFileSync(join(dist, 'x3dom.js'), readX3dom());
 copyPages();
+await buildEmbed();
 writeLicences();
 replaceServed();
 await buildPrepare();

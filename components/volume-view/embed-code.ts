@@ -6,6 +6,7 @@ import { findCompanion } from '../internal/find-companion.ts';
 /** Attributes that are not written to the address of the iframe: they are for scripts, or for the page around. */
 const left = new Set([
   'authoring',
+  'crossorigin',
   'crosshair',
   'cursor',
   'height',

@@ -320,35 +320,6 @@ await check('all scripts are in ASCII: a page without a character set reads them
   assert.deepEqual(others, []);
 });
 
-await check(
-  'the page for frames takes every attribute of <volume-view> but those that are for scripts or for the page around it',
-  () => {
-    /** @type {{ modules: { declarations?: { tagName?: string, attributes?: { name: string, deprecated?: unknown }[] }[] }[] }} */
-    const { modules } = JSON.parse(read('custom-elements.json'));
-    const view = modules
-      .flatMap(({ declarations }) => declarations ?? [])
-      .find(({ tagName }) => tagName === 'volume-view');
-    const taken = new Set([...read('dist/embed.js').matchAll(/'([a-z0-9-]+)'/g)].map(([, name]) => name));
-    const others = view?.attributes
-      ?.filter(({ name, deprecated }) => !deprecated && !taken.has(name))
-      .map(({ name }) => name);
-    assert.deepEqual(
-      new Set(others),
-      new Set([
-        'authoring',
-        'crosshair',
-        'crossorigin',
-        'cursor',
-        'height',
-        'link-state',
-        'pickable',
-        'poster',
-        'width',
-      ]),
-    );
-  },
-);
-
 await check('the studio carries the licences of what is bundled into it', async () => {
   const text = readFileSync(join(projectRoot, 'packages/studio/dist/LICENSES.txt'), 'utf8');
   for (const library of ['lit', 'parse5', 'fast-png', 'fflate', 'CharLS', 'OpenJPEG'])

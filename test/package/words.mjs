@@ -28,7 +28,7 @@ const words = [
 
 const folders = [
   ...['src', 'components', 'shaders'],
-  ...['prepare', 'lesson-writers', 'studio'].map((name) => `packages/${name}/src`),
+  ...['prepare', 'lesson-writers', 'studio', 'embed'].map((name) => `packages/${name}/src`),
 ];
 const files = folders.flatMap((folder) =>
   readdirSync(join(projectRoot, folder), { recursive: true, encoding: 'utf8' })

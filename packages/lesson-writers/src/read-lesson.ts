@@ -39,5 +39,5 @@ class Parsed5 implements ParsedElement {
 const listNodes = (nodes: readonly DefaultTreeAdapterTypes.ChildNode[]): ParsedNode[] =>
   nodes.flatMap((node): ParsedNode[] => {
     if ('tagName' in node) return [new Parsed5(node)];
-    return node.nodeName === '#text' ? [(node as DefaultTreeAdapterTypes.TextNode).value] : [];
+    return node.nodeName === '#text' ? [node.value] : [];
   });

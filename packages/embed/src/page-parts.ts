@@ -1,0 +1,65 @@
+// Parts of the page. All texts are set as texts.
+import { english } from './words.ts';
+
+const main = (): HTMLElement => document.querySelector('main')!;
+
+export function addText(name: 'h1' | 'p' | 'li', text: string, parent: Element = main()): HTMLElement {
+  const element = document.createElement(name);
+  element.textContent = text;
+  parent.append(element);
+  return element;
+}
+
+/** What is wrong, for the author of the frame. */
+export function addProblems(heading: string, problems: readonly string[]): void {
+  const box = document.createElement('div');
+  box.className = 'hint';
+  addText('p', heading, box);
+  const list = document.createElement('ul');
+  for (const one of problems) addText('li', one, list);
+  box.append(list);
+  main().append(box);
+}
+
+/** The page, when there is nothing to show. */
+export function showMessage(heading: string, text: string): void {
+  main().replaceChildren();
+  addText('h1', heading);
+  addText('p', text);
+}
+
+let player: Promise<void> | null = null;
+
+/** The folder that the page's own script is in. */
+const folder = (document.currentScript as HTMLScriptElement).src;
+
+interface Policies {
+  createPolicy(name: string, rules: Record<string, (text: string) => string>): Record<string, (text: string) => string>;
+}
+
+const asItIs = (text: string): string => text;
+let policy: Record<string, (text: string) => string> | undefined;
+
+/** For pages with Trusted Types: marks the address of the element, and a lesson that the browser's parser reads without running anything. */
+export function trust(text: string, kind: 'createScriptURL' | 'createHTML'): string {
+  try {
+    policy ??= (globalThis as { trustedTypes?: Policies }).trustedTypes?.createPolicy('volume-view-embed', {
+      createScriptURL: asItIs,
+      createHTML: asItIs,
+    });
+  } catch {
+    // The page does not allow a policy of this name. It may work without one.
+  }
+  return policy ? policy[kind](text) : text;
+}
+
+/** Load the element: not before it is needed. */
+export function loadPlayer(): Promise<void> {
+  return (player ??= new Promise((resolve) => {
+    const script = document.createElement('script');
+    script.src = trust(new URL('volume-view.iife.js', folder).href, 'createScriptURL');
+    script.onload = () => resolve();
+    script.onerror = () => showMessage(english.nothing, english.playerFailed);
+    document.head.append(script);
+  }));
+}
