@@ -20,7 +20,8 @@ const firstPages = ['README.md', 'docs/guide/first-steps.md'];
 const tags = firstPages.flatMap((path) => readBlocks(path, 'html'));
 const frames = [
   ...tags.filter((block) => block.startsWith('<iframe')),
-  ...readBlocks('docs/guide/embedding.md', 'html'),
+  // One is on another server, in a sandbox: embed.spec opens such a frame.
+  ...readBlocks('docs/guide/embedding.md', 'html').filter((block) => !block.includes('https://')),
 ];
 const lesson = readBlocks('docs/guide/lesson.md', 'html');
 const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]*/, '\n');
@@ -91,7 +92,7 @@ for (const [index, block] of lesson.entries()) {
 test('the README and the first steps have a page, tags and a frame to copy', () => {
   expect(readBlocks('README.md', 'html')[0]).toContain('<script');
   expect(tags.length).toBeGreaterThanOrEqual(4);
-  expect(frames.length).toBeGreaterThanOrEqual(3);
+  expect(frames.length).toBeGreaterThanOrEqual(4);
   expect(script).toContain('dist/volume-view.js');
 });
 
