@@ -1,7 +1,7 @@
-import type { DecodedCartesianVolume, DecodeSettings } from './base/decoded-volume.ts';
+import type { DecodedVolume, DecodeSettings } from './base/decoded-volume.ts';
 import { loadReader } from './base/load-reader.ts';
 import { placeVolume } from './base/place-volume.ts';
-import { hasNumbers } from './base/scan-data.ts';
+import { hasNumbers, hasSweeps } from './base/scan-data.ts';
 import type { ScanData } from './base/scan-data.ts';
 import { readScan } from './series/read-scan.ts';
 import type { ScanAccess } from './series/read-scan.ts';
@@ -14,7 +14,13 @@ export async function readPlacedScan(
   scan: ScanData,
   settings: DecodeSettings,
   access: ScanAccess,
-): Promise<DecodedCartesianVolume> {
+): Promise<DecodedVolume> {
+  if (hasSweeps(scan))
+    return (await loadReader(() => import('#rare/formats/radar/read-radar.ts'))).readSweepsAgain(
+      scan,
+      settings,
+      access,
+    );
   const volume = hasNumbers(scan)
     ? await readScan(scan, access)
     : await (await loadReader(() => import('./dicom/read-phase.ts'))).readPhase(scan, access);

@@ -1,6 +1,6 @@
 import type { GrayImage } from '../volume/mosaic.ts';
 import type { Manifest } from '../formats/manifest/manifest.ts';
-import type { ManifestSweep } from '../formats/base/radar-settings.ts';
+import type { ManifestSweep, PolarMosaicSettings } from '../formats/base/radar-settings.ts';
 import { ownElevations } from '../formats/radar/arrange-elevations.ts';
 import { checkBeamWidth } from '../formats/radar/beam-width.ts';
 import { chooseMoment, chooseSweeps } from '../formats/radar/choose-sweeps.ts';
@@ -19,7 +19,10 @@ const highestPixel = 65535;
 export interface WrittenMosaic {
   readonly image: GrayImage;
   /** In JSON, `mosaic` is a text: 'COLUMNSxROWS'. */
-  readonly manifest: Omit<Manifest, 'image' | 'mosaic'> & { readonly mosaic: string };
+  readonly manifest: Omit<Manifest, 'image' | 'mosaic' | 'labels'> & {
+    readonly mosaic: string;
+    readonly labels?: PolarMosaicSettings['labels'];
+  };
   /** Largest difference between a value of the file and the value in the mosaic; 0 where integers are kept as they are. */
   readonly rounding: number;
   /** Root mean square of these differences. */
@@ -29,7 +32,7 @@ export interface WrittenMosaic {
 /**
  * Write one moment of a radar file as a mosaic: the sweeps that a volume of the file would show, one tile each, in the order of their
  * elevations; radials and gates as they are in the file. Integers are kept. Floats, and integers on scales that differ, become 16-bit
- * pixels: 65,534 equal steps from the smallest value to the largest.
+ * pixels: 65,534 equal steps from the smallest value to the largest, or steps of 1 where all are whole numbers.
  * @param moment - its name in the file; where undefined, the reflectivity that the largest number of sweeps have
  * @throws {VolumeViewError} as a volume of the file does
  */
@@ -90,15 +93,18 @@ function makePixels(sweeps: readonly SweepData[]): Pixels {
 }
 
 function quantise(sweeps: readonly SweepData[]): Pixels {
-  let [low, high] = [Infinity, -Infinity];
+  let [low, high, isWhole] = [Infinity, -Infinity, true];
   for (const data of sweeps) {
     eachValue(data, (value) => {
       low = Math.min(low, value);
       high = Math.max(high, value);
+      isWhole &&= Number.isInteger(value);
     });
   }
   if (high < low) [low, high] = [0, 0];
-  const slope = high > low ? (high - low) / (highestPixel - 1) : 1;
+  // Whole numbers, such as kinds of echo, are kept as they are.
+  const isKept = isWhole && high - low < highestPixel;
+  const slope = high > low && !isKept ? (high - low) / (highestPixel - 1) : 1;
   // The smallest value is pixel 1: 0 means no data.
   const intercept = low - slope;
   const sum = new ErrorSum();
@@ -110,7 +116,7 @@ function quantise(sweeps: readonly SweepData[]): Pixels {
     });
     return written;
   });
-  return { pixels, slope, intercept, rounding: slope / 2, rms: sum.error.rms, isWide: true };
+  return { pixels, slope, intercept, rounding: isKept ? 0 : slope / 2, rms: sum.error.rms, isWide: true };
 }
 
 /** Visit every gate that has data. */
@@ -121,7 +127,7 @@ function eachValue({ samples, slope, intercept }: SweepData, visit: (value: numb
   }
 }
 
-type Described = Omit<Manifest, 'image' | 'mosaic' | 'slices' | 'slope' | 'intercept'>;
+type Described = Omit<WrittenMosaic['manifest'], 'mosaic' | 'slices' | 'slope' | 'intercept'>;
 
 /** The fields of the manifest. A field that is the same for all tiles is written once. */
 function describe(
@@ -153,6 +159,9 @@ function describe(
     ...(azimuth ? { azimuth } : {}),
     ...(file.beamWidth === undefined ? {} : { beamWidth: file.beamWidth }),
     ...(nyquist === undefined ? {} : { nyquist }),
+    ...(moment.kind === 'kinds' && {
+      labels: (moment.numbers ?? []).map((id) => ({ id })),
+    }),
     site: file.site,
     ...(file.time === undefined ? {} : { time: file.time }),
     ...(sweeps.some((sweep) => Object.keys(sweep).length > 0) ? { sweeps } : {}),

@@ -24,10 +24,13 @@ export interface SweepGeometry {
   readonly earthRadius: number;
   /**
    * Velocities that differ by more than this are on two sides of a fold, in stored values; absent if values do not
-   * fold.
+   * fold. `nearestOnly` where values are kinds of things.
    */
   readonly foldFrom?: number;
 }
+
+/** As `foldFrom`: no two values are mixed, even equal ones, so the gate with the largest weight gives its value exactly. */
+export const nearestOnly = -1;
 
 /** One sweep of a radar. A gap of the antenna is filled with one or two radials without data. */
 export interface Sweep {

@@ -8,6 +8,10 @@ export interface BuiltProduct {
   readonly levels: readonly number[] | { readonly scale: number; readonly offset: number };
   /** Tenths of a degree. */
   readonly elevation?: number;
+  /** When the scan of the volume began, seconds after midnight; 2:05:33 if undefined. */
+  readonly seconds?: number;
+  /** Of the radar, thousandths of a degree. */
+  readonly latitude?: number;
   /** Start of the first radial, and from each one to the next, tenths of a degree. */
   readonly from?: number;
   readonly step?: number;
@@ -63,7 +67,15 @@ function writeSymbols({ numbers, from = 0, step = 10, isRuns = false, wrong = {}
 }
 
 export function buildLevel3(product: BuiltProduct): Uint8Array<ArrayBuffer> {
-  const { code, levels, elevation = 5, lines = 'SDUS54 KBMX 020205\r\r\nN0QBMX\r\r\n', pack } = product;
+  const {
+    code,
+    levels,
+    elevation = 5,
+    seconds = 7533,
+    latitude = 33172,
+    lines = 'SDUS54 KBMX 020205\r\r\nN0QBMX\r\r\n',
+    pack,
+  } = product;
   const symbols = writeSymbols(product);
   const packed = pack?.(symbols) ?? symbols;
   const head = new DataView(new ArrayBuffer(120));
@@ -72,7 +84,7 @@ export function buildLevel3(product: BuiltProduct): Uint8Array<ArrayBuffer> {
   head.setInt32(8, 120 + packed.length);
   head.setInt16(16, 3);
   head.setInt16(18, -1);
-  head.setInt32(20, 33172);
+  head.setInt32(20, latitude);
   head.setInt32(24, -86770);
   head.setInt16(28, 759);
   head.setInt16(30, code);
@@ -80,7 +92,7 @@ export function buildLevel3(product: BuiltProduct): Uint8Array<ArrayBuffer> {
   head.setInt16(34, 12);
   // 2 January 2015, 02:05:33.
   head.setInt16(40, 16438);
-  head.setInt32(42, 7533);
+  head.setInt32(42, seconds);
   head.setInt16(58, elevation);
   if ('scale' in levels) {
     head.setFloat32(60, levels.scale);

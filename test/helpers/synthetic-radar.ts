@@ -107,6 +107,9 @@ const crowd = (first: number): number[] => Array.from({ length: 40 }, (_, i) => 
 const holes: SweepOptions['stored'] = (azimuth, gate) =>
   (Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200);
 const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round((azimuth * 3 + gate * 11) % 250);
+/** Kinds of echo in patches of some gates and radials, from 10 to 140 as in NEXRAD Level III, and a patch without data. */
+export const kindsInPatches: SweepOptions['stored'] = (azimuth, gate) =>
+  gate > 16 && azimuth > 300 ? 0 : 10 * (1 + ((5 * Math.floor(azimuth / 60) + 9 * Math.floor(gate / 7)) % 14));
 /** An elevation that goes up and down by `height` degrees, three times around the circle. */
 const wave =
   (elevation: number, height: number, phase = 0) =>
@@ -202,5 +205,9 @@ export const polarScenes: Record<string, RadarOptions> = {
   folds: {
     sweeps: lowSweeps.map((sweep) => ({ ...sweep, nyquist: 30, stored: folded })),
     moments: [['VRAD', 'velocity']],
+  },
+  'kinds of echo': {
+    sweeps: lowSweeps.map((sweep) => ({ ...sweep, slope: 1, intercept: 0, stored: kindsInPatches })),
+    moments: [['HCA', 'kinds']],
   },
 };

@@ -28,8 +28,13 @@ export type DecodedCartesianVolume = Decoded & {
   readonly intent?: number;
 };
 
-/** Making a sweep's macrocells takes long, and only the radar code knows how. */
-export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly makeMacrocells: () => Macrocells };
+export type DecodedPolarVolume = Decoded & {
+  readonly grid: PolarGrid;
+  /** Making a sweep's macrocells takes long, and only the radar code knows how. */
+  readonly makeMacrocells: () => Macrocells;
+  /** Where values are kinds of echo: the smallest and the largest that can occur. */
+  readonly kinds?: readonly [number, number];
+};
 
 /** What attributes or a manifest say about a file's data. */
 export interface DecodeSettings extends SourceSettings {

@@ -68,6 +68,8 @@ export interface PolarMosaicSettings {
   readonly beamWidth?: number;
   /** m/s. If set, the values are velocities that fold at this speed. */
   readonly nyquist?: number;
+  /** If set, the values are kinds of echo, whole numbers between which nothing lies; those that are listed can occur. */
+  readonly labels?: readonly { readonly id: number }[];
   readonly site?: ManifestSite;
   /** ISO 8601 in UTC. */
   readonly time?: string;
@@ -79,6 +81,6 @@ export interface PolarMosaicSettings {
 export type MosaicValues = Partial<
   Pick<
     PolarMosaicSettings,
-    'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'site' | 'time' | 'sweeps' | 'moment'
+    'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'labels' | 'site' | 'time' | 'sweeps' | 'moment'
   >
 >;

@@ -20,10 +20,19 @@ export type SeriesInfo = Omit<
 >;
 
 /**
- * One volume of a file that holds several, as it is kept until it is shown. Readers make it when the file is opened, and a page sends it
- * back to the worker, so it is plain data.
+ * One volume of a file, or of files, that hold several, as it is kept until it is shown. Readers make it when the file is opened, and a
+ * page sends it back to the worker, so it is plain data.
  */
-export interface ScanData {
+export type ScanData = ScanOfVolume | ScanOfSweeps;
+
+/** The files of a radar's scan, each a sweep of one quantity. Only their reader knows how. */
+export interface ScanOfSweeps {
+  /** As they are kept by the browser, those of an archive as gzip files, or their URLs; and the code of what each holds. */
+  readonly sweeps: readonly (readonly [file: Blob | string, code: number])[];
+}
+
+/** A volume of voxels on the same grid as the others. */
+export interface ScanOfVolume {
   readonly from: ScanBytes | ScanFiles;
   /** Name of the type of its numbers: 'int16'. */
   readonly type: string;
@@ -38,12 +47,14 @@ export interface ScanData {
 }
 
 /** A volume whose numbers lie one after another. */
-export type ScanNumbers = ScanData & { readonly from: ScanBytes };
+export type ScanNumbers = ScanOfVolume & { readonly from: ScanBytes };
 
-export const hasFiles = (from: ScanData['from']): from is ScanFiles => 'slices' in from;
+export const hasFiles = (from: ScanOfVolume['from']): from is ScanFiles => 'slices' in from;
+
+export const hasSweeps = (scan: ScanData | PlaceData): scan is ScanOfSweeps => 'sweeps' in scan;
 
 /** Whether the numbers of a volume lie one after another. */
-export const hasNumbers = (scan: ScanData): scan is ScanNumbers => !hasFiles(scan.from);
+export const hasNumbers = (scan: ScanData): scan is ScanNumbers => !hasSweeps(scan) && !hasFiles(scan.from);
 
 /** Some bytes of each of several volumes: the numbers of one place over all times. They are read as a volume of as many voxels. */
-export type PlaceData = Omit<ScanData, 'from'> & { readonly from: readonly ScanBytes[] };
+export type PlaceData = Omit<ScanOfVolume, 'from'> & { readonly from: readonly ScanBytes[] };

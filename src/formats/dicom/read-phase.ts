@@ -3,7 +3,7 @@ import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import { readAhead } from '../base/read-ahead.ts';
 import { hasFiles } from '../base/scan-data.ts';
-import type { ScanData, ScanFiles } from '../base/scan-data.ts';
+import type { ScanFiles, ScanOfVolume } from '../base/scan-data.ts';
 import type { ScanAccess } from '../series/read-scan.ts';
 import type { Frame } from './frame.ts';
 import { joinFrames } from './join-frames.ts';
@@ -18,7 +18,7 @@ import { unpackFile } from './unpack-file.ts';
  * have the number of a file, and no name
  */
 export async function readPhase(
-  { from, format, series }: ScanData,
+  { from, format, series }: ScanOfVolume,
   access: ScanAccess,
 ): Promise<DecodedCartesianVolume> {
   if (!hasFiles(from)) throw new TypeError(`${format} has no files`);

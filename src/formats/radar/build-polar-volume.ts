@@ -1,6 +1,7 @@
 import { boxAround, boxDimensions, groundReach } from '../../radar/polar-box.ts';
 import { boxIndexToWorld, standardEarthRadius } from '../../radar/polar-geometry.ts';
 import { spacingOf } from '../../volume/grid.ts';
+import { nearestOnly } from '../../volume/polar-grid.ts';
 import type { PolarGrid, Sweep, SweepGeometry } from '../../volume/polar-grid.ts';
 import type { Samples } from '../../volume/volume.ts';
 import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
@@ -77,6 +78,7 @@ export function buildPolarVolume(
     slope,
     intercept,
     unit: moment.unit,
+    ...(moment.numbers && { kinds: moment.numbers }),
     makeMacrocells: () =>
       buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
     format: file.format,
@@ -169,7 +171,7 @@ function copyRadials(
 /**
  * Velocities wrap around at the Nyquist velocity: two neighbours on both sides of a fold differ by nearly twice that,
  * so a difference of more than once that is treated as a fold. If sweeps differ, the smallest Nyquist velocity is used
- * for all.
+ * for all. Kinds of echo are never mixed.
  * @returns difference of stored values; half way between whole numbers for integers, so that rounding can't separate
  * equal numbers
  */
@@ -178,6 +180,7 @@ function chooseFold(
   chosen: readonly ChosenSweep[],
   { samples, slope }: JoinedSamples,
 ): number | undefined {
+  if (moment.kind === 'kinds') return nearestOnly;
   const limits = chosen.map(({ sweep }) => sweep.nyquist ?? Infinity).filter((nyquist) => nyquist > 0);
   const nyquist = Math.min(...limits);
   if (!isFolding(moment) || !Number.isFinite(nyquist)) return undefined;

@@ -87,6 +87,11 @@ export function readStart(root: DataGroup): string | undefined {
 /** What the file says about a moment. */
 export function describeMoment(name: string, array: DataArray): RadarMoment {
   const unit = normaliseUnit(textOf(array.attributes.get('units')) ?? '');
+  const kinds = flagsOf(array).filter(({ meaning }) => !emptyMeaning.test(meaning));
+  if (kinds.length > 1) {
+    const numbers = kinds.map(({ value }) => value);
+    return { name, unit, kind: 'kinds', numbers: [Math.min(...numbers), Math.max(...numbers)] };
+  }
   return {
     name,
     unit,
@@ -241,14 +246,26 @@ function canHold(type: DataArray['type'], number: number): boolean {
 const emptyMeaning =
   /^(no_?data|no_?value|missing(_?(data|value))?|fill(_?value)?|bad_?data|not_?(measured|scanned|available)|undefined?|unavailable|invalid(_?data)?)$/i;
 
-/** Flags that stand for no data. Source: CF conventions 1.11, 3.5: flag_values and flag_meanings, of which there are as many */
-function emptyFlagsOf({ attributes }: DataArray): number[] {
+/** A number that stands for something. */
+interface Flag {
+  readonly value: number;
+  readonly meaning: string;
+}
+
+/** Source: CF conventions 1.11, 3.5: flag_values and flag_meanings, of which there are as many */
+function flagsOf({ attributes }: DataArray): Flag[] {
   const values = attributes.get('flag_values');
   const meanings = textOf(attributes.get('flag_meanings'))?.trim().split(/\s+/) ?? [];
   return values instanceof Float64Array && values.length === meanings.length
-    ? [...values].filter((_, i) => emptyMeaning.test(meanings[i]))
+    ? Array.from(values, (value, i) => ({ value, meaning: meanings[i] }))
     : [];
 }
+
+/** Flags that stand for no data. */
+const emptyFlagsOf = (array: DataArray): number[] =>
+  flagsOf(array)
+    .filter(({ meaning }) => emptyMeaning.test(meaning))
+    .map(({ value }) => value);
 
 /** NetCDF's fill values for parts that were never written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
 const defaultFills: Readonly<Partial<Record<NumberType, number>>> = {

@@ -25,7 +25,7 @@ import {
 import { checkBeamWidth } from './beam-width.ts';
 import { padRows } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
-import { isFolding } from './moment-kind.ts';
+import { mixingOf } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 import { chooseByMode } from './sweep-modes.ts';
@@ -88,7 +88,7 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
     all.map((radials) => ({ mode: modes[radials.sweep], open: () => readSweep(scan, radials) })),
     {
       beamWidth: checkBeamWidth(beamWidth),
-      folds: (name) => moments.some((one) => one.name === name && isFolding(one)),
+      mixingOf: (name) => mixingOf(moments.find((one) => one.name === name)!),
     },
     budget,
   );

@@ -21,7 +21,7 @@ import {
   wrapAzimuths,
 } from './cfradial-parts.ts';
 import { checkBeamWidth } from './beam-width.ts';
-import { isFolding } from './moment-kind.ts';
+import { mixingOf } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 import { chooseByMode } from './sweep-modes.ts';
@@ -81,7 +81,7 @@ export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
     })),
     {
       beamWidth: checkBeamWidth(beamWidth),
-      folds: (name) => read.some(({ found }) => found.some((one) => one.name === name && isFolding(one))),
+      mixingOf: (name) => mixingOf(read.flatMap(({ found }) => found).find((one) => one.name === name)!),
     },
     budget,
   );

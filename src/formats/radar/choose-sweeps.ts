@@ -31,6 +31,11 @@ interface Kept extends ChosenSweep {
   readonly name: string;
 }
 
+/** What of a file says which moments it has. */
+interface FileOfMoments extends Pick<RadarFile, 'format' | 'moments'> {
+  readonly sweeps: readonly Pick<RadarSweep, 'moments'>[];
+}
+
 /**
  * Chooses the moment to show.
  * @param name - the file's name of it. If undefined: the reflectivity that most sweeps hold, and among equals the
@@ -38,7 +43,7 @@ interface Kept extends ChosenSweep {
  * @throws {VolumeViewError} `attribute/invalid` if the file has no moment of that name, `format/unsupported` if it has
  * no moments
  */
-export function chooseMoment(file: RadarFile, name: string | undefined): RadarMoment {
+export function chooseMoment(file: FileOfMoments, name: string | undefined): RadarMoment {
   const { moments } = file;
   if (moments.length === 0) {
     throw new VolumeViewError(
@@ -60,7 +65,7 @@ export function chooseMoment(file: RadarFile, name: string | undefined): RadarMo
   throw new VolumeViewError('attribute/invalid', `moment got "${name}"; expected one that the file holds: ${names}`);
 }
 
-function countSweeps({ sweeps }: RadarFile, { name }: RadarMoment): number {
+function countSweeps({ sweeps }: FileOfMoments, { name }: RadarMoment): number {
   return sweeps.reduce((count, { moments }) => count + Number(moments.includes(name)), 0);
 }
 

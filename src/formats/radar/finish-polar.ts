@@ -11,11 +11,11 @@ import type { PolarOutline } from './suggest-radar-appearance.ts';
 const maxPreviewBytes = 2 ** 24;
 
 /** Radar gates are never averaged: if there are too many of them for a device, it is an error. */
-export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPolarVolume): PolarOutline {
+export function outlinePolar({ makeMacrocells: _later, kinds, ...decoded }: DecodedPolarVolume): PolarOutline {
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
   const outline = { ...decoded, ...summarize(samples, slope, intercept, { minValid }), hasNoData: true };
-  return { ...outline, ...suggestRadarAppearance(outline) };
+  return { ...outline, ...suggestRadarAppearance(outline, kinds) };
 }
 
 /** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */

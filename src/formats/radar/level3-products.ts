@@ -16,6 +16,8 @@ export interface Level3Product {
   /** What the quantity is called here, as in NEXRAD Level II where it has it. */
   readonly name: string;
   readonly kind: MomentKind;
+  /** Of kinds of echo, see RadarMoment. */
+  readonly numbers?: readonly [number, number];
   readonly unit: string;
   /** Metres along the beam. */
   readonly gateLength: number;
@@ -58,8 +60,11 @@ export const level3Products: ReadonlyMap<number, Level3Product> = new Map<number
   [159, { name: 'ZDR', kind: 'differential-reflectivity', unit: 'dB', gateLength: 250, coding: 'floats' }],
   [161, { name: 'RHO', kind: 'correlation', unit: '', gateLength: 250, coding: 'floats' }],
   [163, { name: 'KDP', kind: 'other', unit: 'degrees/km', gateLength: 250, coding: 'floats' }],
-  [165, { name: 'HCA', kind: 'other', unit: '', gateLength: 250, coding: 'classes' }],
+  [165, { name: 'HCA', kind: 'kinds', numbers: [10, 140], unit: '', gateLength: 250, coding: 'classes' }],
   [181, { ...reflectivity, gateLength: 150, coding: 'levels', ...airport }],
   [182, { ...velocity, gateLength: 150, coding: 'tenths', ...airport }],
   [186, { ...reflectivity, gateLength: 300, coding: 'tenths', ...airport }],
 ]);
+
+/** Their codes, for messages. */
+export const listProducts = (): string => [...level3Products.keys()].join(', ');

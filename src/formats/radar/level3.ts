@@ -7,7 +7,7 @@ import { isGzip } from '../codecs/gunzip.ts';
 import { isoTime } from './cf-time.ts';
 import { level3HeadBytes, readLevel3Message } from './level3-message.ts';
 import type { Level3Message } from './level3-message.ts';
-import { level3Products } from './level3-products.ts';
+import { level3Products, listProducts } from './level3-products.ts';
 import type { Level3Product } from './level3-products.ts';
 import { readLevel3Radials } from './level3-radials.ts';
 import type { Level3Radials } from './level3-radials.ts';
@@ -34,16 +34,19 @@ export async function readLevel3(
   given: Uint8Array<ArrayBuffer>,
   budget = Budget.ofFile(given.length),
 ): Promise<RadarFile> {
-  const bytes = isGzip(given) ? await gunzipAll(given, budget, 'the NEXRAD Level III file') : given;
+  let bytes = given;
+  // A file of an archive may come packed once more.
+  for (let layer = 0; layer < 2 && isGzip(bytes); layer++)
+    bytes = await gunzipAll(bytes, budget, 'the NEXRAD Level III file');
   const message = readLevel3Message(bytes);
   const product = level3Products.get(message.code);
   if (!product)
     throw unsupportedFile(
       'the NEXRAD Level III file',
-      `holds the product ${message.code}, which is no sweep of one elevation that is known here; expected one of ${[...level3Products.keys()].join(', ')}. NOAA's Weather and Climate Toolkit shows other products, and converts them`,
+      `holds the product ${message.code}, which is no sweep of one elevation that is known here; expected one of ${listProducts()}. NOAA's Weather and Climate Toolkit shows other products, and converts them`,
     );
   const radials = readLevel3Radials(unpackSymbols(bytes.subarray(message.start + level3HeadBytes), budget), budget);
-  const { name, kind, unit, gateLength, beamWidth = usualBeamWidth } = product;
+  const { name, kind, numbers, unit, gateLength, beamWidth = usualBeamWidth } = product;
   const grid: SweepGates = { firstGate: (radials.first + 0.5) * gateLength, gateLength, gates: radials.gates };
   const time = isoTime(message.time);
   const { latitude, longitude, height, station, elevation } = message;
@@ -53,7 +56,7 @@ export async function readLevel3(
     site: { ...(station && { name: station }), latitude, longitude, height },
     beamWidth,
     ...(time && { time }),
-    moments: [{ name, kind, unit }],
+    moments: [{ name, kind, unit, ...(numbers && { numbers }) }],
     sweeps: [
       {
         elevation,
@@ -65,8 +68,8 @@ export async function readLevel3(
       },
     ],
     ...(product.coding === 'classes' && {
-      left: [
-        'numbers stand for kinds of echo (10 animals, 20 ground, 30 ice crystals, 40 dry snow, 50 wet snow, 60 rain, 70 heavy rain, 80 big drops, 90 graupel, 100, 110, 120 hail, 140 unknown); between two gates of other kinds their colours are mixed, which say nothing there',
+      details: [
+        'numbers stand for kinds of echo (10 animals, 20 ground, 30 ice crystals, 40 dry snow, 50 wet snow, 60 rain, 70 heavy rain, 80 big drops, 90 graupel, 100, 110, 120 hail, 140 unknown)',
       ],
     }),
     ...(azimuths.length < announced && {

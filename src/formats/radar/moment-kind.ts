@@ -28,6 +28,7 @@ const kindsByStandardName: readonly (readonly [RegExp, MomentKind])[] = [
  * write into CfRadial. Compared in lower case.
  */
 const kindsByName: readonly (readonly [RegExp, MomentKind])[] = [
+  [/^class$/, 'kinds'],
   [/texture|variance|deviation|error|mask|flag/, 'other'],
   [/^u?zdr|differential_reflectivity/, 'differential-reflectivity'],
   [/^u?kdp|specific_differential_phase/, 'other'],
@@ -59,6 +60,14 @@ const unfoldedNames = /^u?vradd[hv]?$|^(corrected|dealiased|unfolded|unwrapped)_
 /** Whether a moment wraps around at the Nyquist velocity. */
 export function isFolding({ name, kind }: RadarMoment): boolean {
   return kind === 'velocity' && !unfoldedNames.test(name);
+}
+
+/** How a value between two gates follows from theirs. */
+export type Mixing = 'linear' | 'unless-folded' | 'nearest';
+
+export function mixingOf(moment: RadarMoment): Mixing {
+  if (moment.kind === 'kinds') return 'nearest';
+  return isFolding(moment) ? 'unless-folded' : 'linear';
 }
 
 const unitsOfKind: Readonly<Partial<Record<MomentKind, string>>> = {

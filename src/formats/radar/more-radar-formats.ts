@@ -5,13 +5,15 @@ import type { RadarKind } from './read-radar.ts';
 
 // Radar files that few pages have; those of most are in radar-formats.ts.
 
-/** A product of one sweep, plain or packed with gzip as a whole. */
+/** A product of one sweep, plain or packed with gzip as a whole. Several of one scan are its sweeps. */
 export const level3: VolumeFormat = {
   name: 'NEXRAD Level III',
   words: 'a product of NEXRAD Level III',
   endings: ['nids'],
   beginning: null,
   matches: ({ bytes, unpacked }) => findLevel3(unpacked ?? bytes) >= 0,
+  takesFiles: true,
+  isSlice: true,
   load: async () => (await import('#rare/formats/radar/read-radar.ts')).radarReader('level3'),
 };
 

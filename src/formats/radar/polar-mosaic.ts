@@ -3,7 +3,7 @@ import { checkMosaicLayout } from '../../volume/mosaic.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { ManifestSweep, PolarMosaicSettings } from '../base/radar-settings.ts';
 import { momentKindOf } from './moment-kind.ts';
-import type { RadarFile, RadarSweep } from './radar-file.ts';
+import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
 /** Metres: farther than any radar sees. */
@@ -26,17 +26,23 @@ interface Tile {
  */
 export function readPolarMosaic(image: GrayImage, format: string, settings: PolarMosaicSettings): RadarFile {
   const tiles = cutTiles(image, settings);
-  const { moment: name = 'value', unit, nyquist, beamWidth, site = {}, time } = settings;
-  const kind = nyquist === undefined ? momentKindOf({ name, unit }) : 'velocity';
+  const { moment: name = 'value', unit, beamWidth, site = {}, time } = settings;
   return {
     format: `${format} polar mosaic`,
     ...(image.left ? { left: image.left } : {}),
     site,
     ...(time === undefined ? {} : { time }),
     ...(beamWidth === undefined ? {} : { beamWidth }),
-    moments: [{ name, unit, kind }],
+    moments: [{ name, unit, ...kindOf(settings, name) }],
     sweeps: tiles.map((tile, i) => readTile(image, tile, name, describeTile(settings, i))),
   };
+}
+
+function kindOf({ labels, nyquist, unit }: PolarMosaicSettings, name: string): Pick<RadarMoment, 'kind' | 'numbers'> {
+  const numbers = labels?.map(({ id }) => id) ?? [];
+  if (numbers.length > 0) return { kind: 'kinds', numbers: [Math.min(...numbers), Math.max(...numbers)] };
+  if (labels) return { kind: 'kinds' };
+  return { kind: nyquist === undefined ? momentKindOf({ name, unit }) : 'velocity' };
 }
 
 function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicSettings): Tile[] {

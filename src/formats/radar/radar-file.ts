@@ -35,6 +35,8 @@ export interface RadarMoment {
   /** 'dBZ', 'm/s', … ; '' where unknown. */
   readonly unit: string;
   readonly kind: MomentKind;
+  /** Of kinds of echo: the smallest and the largest number that can occur, so that a kind has one colour in all files. */
+  readonly numbers?: readonly [number, number];
 }
 
 /** The kind of a moment, whatever a file calls it. */
@@ -45,6 +47,8 @@ export type MomentKind =
   | 'differential-reflectivity'
   | 'differential-phase'
   | 'correlation'
+  /** Numbers that stand for kinds of echo: nothing lies between two of them. */
+  | 'kinds'
   | 'other';
 
 /** One sweep as it is in the file: radials in the file's order. */

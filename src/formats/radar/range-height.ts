@@ -1,10 +1,12 @@
 import { countUpTo, widestGap } from '../../radar/sweep-elevations.ts';
+import { nearestOnly } from '../../volume/polar-grid.ts';
 import type { Samples } from '../../volume/volume.ts';
 import type { Budget } from '../base/budget.ts';
 import { takeDuring } from '../base/take-during.ts';
 import { allocateLike, emptyOf } from './gate-samples.ts';
 import { joinSamples } from './join-samples.ts';
 import type { JoinedSamples } from './join-samples.ts';
+import type { Mixing } from './moment-kind.ts';
 import type { RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseShown } from './radar-limits.ts';
 import { skipRadials } from './skip-radials.ts';
@@ -38,8 +40,8 @@ export interface ArrangedSweeps {
 export interface RangeHeightSettings {
   /** Degrees. */
   readonly beamWidth: number;
-  /** Whether values of a moment are velocities that fold. */
-  folds(moment: string): boolean;
+  /** How values of a moment are mixed. */
+  mixingOf(moment: string): Mixing;
 }
 
 /** A direction, degrees. */
@@ -249,7 +251,7 @@ function toSweep(
   level: Level,
   scans: readonly RadarSweep[],
   read: ReadScans,
-  { beamWidth, folds }: RangeHeightSettings,
+  { beamWidth, mixingOf }: RangeHeightSettings,
 ): RadarSweep {
   const beams = separate(level.beams, beamWidth);
   const gridOf = (moment: string): SweepGates | null =>
@@ -257,17 +259,21 @@ function toSweep(
       .map(({ scan }) => scans[scan].gridOf(moment))
       .reduce((a, b) => (a && b ? (b.gates > a.gates ? b : a) : (a ?? b)), null);
   const nyquists = level.beams.map(({ scan }) => scans[scan].nyquist).filter((one) => one !== undefined);
-  const nyquist = Math.min(...nyquists);
+  const foldFrom: Readonly<Record<Mixing, number>> = {
+    linear: Infinity,
+    'unless-folded': Math.min(...nyquists),
+    nearest: nearestOnly,
+  };
   return {
     elevation: level.elevation,
     azimuths: Float64Array.from(beams, ({ azimuth }) => azimuth),
     elevations: Float64Array.from(beams, ({ elevation }) => elevation),
-    ...(nyquists.length > 0 ? { nyquist } : {}),
+    ...(nyquists.length > 0 ? { nyquist: Math.min(...nyquists) } : {}),
     moments: [...new Set(level.beams.flatMap(({ scan }) => scans[scan].moments))],
     gridOf,
     read: (moment) => {
       const [grid, stored] = [gridOf(moment), read(moment)];
-      return grid && stored && readBeams(beams, grid, stored, folds(moment) ? nyquist : Infinity);
+      return grid && stored && readBeams(beams, grid, stored, foldFrom[mixingOf(moment)]);
     },
   };
 }
@@ -276,10 +282,10 @@ function readBeams(
   beams: readonly (Beam | Direction)[],
   grid: SweepGates,
   stored: StoredScans,
-  nyquist: number,
+  foldFromValue: number,
 ): SweepData {
   const { samples: all, slope, intercept, places } = stored;
-  const foldFrom = nyquist / Math.abs(slope);
+  const foldFrom = foldFromValue / Math.abs(slope);
   const isBetween = beams.some((beam) => 'next' in beam);
   const length = beams.length * grid.gates;
   const samples = isBetween ? new Float32Array(length) : allocateLike(all, length);
@@ -308,7 +314,7 @@ function valueOf(stored: number, of: Samples): number {
 
 /**
  * Between two gates of a scan, as in a picture: linear; where one of them has no data, the other one reaches half way.
- * @param foldFrom - if they differ by more, a velocity has folded between them, and the nearer one counts
+ * @param foldFrom - if they differ by more, a velocity has folded between them, and the nearer one counts, as of kinds of echo
  */
 function blend(low: number, high: number, along: number, foldFrom: number): number {
   const [nearer, other] = along <= 0.5 ? [low, high] : [high, low];

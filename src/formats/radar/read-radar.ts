@@ -5,6 +5,7 @@ import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import type { FormatReader } from '../base/format.ts';
 import { isMinc } from '../minc/is-minc.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
+import type { readScanOfSweeps } from './level3-scans.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
@@ -21,10 +22,16 @@ export function radarReader(kind: RadarKind): FormatReader {
     if (kind === 'hdf5' && isMinc(bytes))
       return (await import('../minc/read-minc.ts')).readMinc(input, settings, context);
     onRadar?.();
+    if (kind === 'level3' && context.further.length > 0)
+      return (await import('./level3-scans.ts')).readLevel3Scans(input, settings, context);
     onProgress(0, bytes.length);
     return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);
   };
 }
+
+/** Reads a scan of several files again, see ScanOfSweeps. */
+export const readSweepsAgain: typeof readScanOfSweeps = async (...args) =>
+  (await import('./level3-scans.ts')).readScanOfSweeps(...args);
 
 /** Each format's reader is loaded when such a file is opened. */
 export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>, budget?: Budget): Promise<RadarFile> {
@@ -36,7 +43,7 @@ export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>,
     case 'nexrad':
       return (await import('./nexrad.ts')).readNexrad(bytes, budget);
     case 'level3':
-      return (await import('./level3.ts')).readLevel3(bytes, budget);
+      return (await import('./level3-scans.ts')).readLevel3(bytes, budget);
     case 'rainbow':
       return (await import('./rainbow.ts')).readRainbow(bytes, budget);
   }

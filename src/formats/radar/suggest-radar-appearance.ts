@@ -18,8 +18,9 @@ interface Scale {
   opacityOf(value: number): number;
 }
 
-export function suggestRadarAppearance(volume: PolarOutline): RadarAppearance {
-  const scale = chooseScale(volume);
+/** @param kinds - the smallest and the largest value that can occur, where values are kinds of echo */
+export function suggestRadarAppearance(volume: PolarOutline, kinds?: readonly [number, number]): RadarAppearance {
+  const scale = kinds ? scaleOfKinds(kinds) : chooseScale(volume);
   const isOwn = volume.transferFunction !== undefined || volume.window !== undefined;
   return {
     window: volume.window ?? scale.window,
@@ -70,6 +71,13 @@ function ownScale(histogram: Histogram): Scale {
     opacityOf: (value) => 0.2 * Math.min(1, Math.max(0, (value - window[0]) / (window[1] - window[0]))) ** 2,
   };
 }
+
+/** A colour for each kind, the same one in all files. It begins at 0, so that the first kind can be seen. */
+const scaleOfKinds = ([low, high]: readonly [number, number]): Scale => ({
+  preset: 'turbo',
+  window: [Math.min(0, low), high],
+  opacityOf: (value) => 0.2 * Math.min(1, Math.max(0, value / high)) ** 2,
+});
 
 function quantile({ low, high, counts }: Histogram, share: number): number {
   const total = counts.reduce((sum, count) => sum + count, 0);

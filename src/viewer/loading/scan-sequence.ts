@@ -12,7 +12,7 @@ const maxScans = 10_000;
 
 /** Loads one scan. */
 export type LoadScan = (
-  source: Pick<LoadRequest, 'url' | 'scan' | 'data'>,
+  source: Pick<LoadRequest, 'url' | 'files' | 'scan' | 'data'>,
   signal: AbortSignal,
   onProgress: LoadProgressListener,
 ) => Promise<Volume>;
@@ -173,9 +173,9 @@ export class ScanSequence {
   }
 
   #request(index: number, signal: AbortSignal, onProgress: LoadProgressListener, place?: PlaceData): Promise<Volume> {
-    const { url, index: number, data } = this.sources[index];
+    const { url, files, index: number, data } = this.sources[index];
     return this.#load(
-      number === undefined ? { url } : { url, scan: { index: number }, data: place ?? data },
+      number === undefined ? { url, files } : { url, scan: { index: number }, data: place ?? data },
       signal,
       onProgress,
     );

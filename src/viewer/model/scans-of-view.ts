@@ -18,6 +18,8 @@ export interface ScansOfView {
 /** One of several scans: a file of its own, an entry of a manifest, or a volume of a file that holds several. */
 export interface ScanSource {
   readonly url: string;
+  /** All files of it, where it has several. */
+  readonly files?: readonly string[];
   /** Its number in the manifest, or in the file. */
   readonly index?: number;
   /** ISO 8601, if it is known before the scan is loaded. */

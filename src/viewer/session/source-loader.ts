@@ -12,7 +12,7 @@ import type { ErrorState } from '../model/error-state.ts';
 import { mayBeLit } from '../appearance/default-look.ts';
 import { loads } from '../loading/load-queue.ts';
 import { openSource } from '../loading/open-source.ts';
-import type { Source, SourceRequest } from '../loading/open-source.ts';
+import type { Source, SourceRequest } from '../loading/opening.ts';
 import type { Playback } from '../loading/playback.ts';
 import type { ScanPlayer } from '../loading/scan-player.ts';
 import type { SceneFactory } from '../model/scene.ts';

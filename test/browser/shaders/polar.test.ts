@@ -158,6 +158,17 @@ for (const version of [1, 2] as const) {
       });
     }
 
+    it('kinds of echo are those of gates at every place, and nothing between them', () => {
+      const volume = radarVolume(polarScenes['kinds of echo']);
+      const got = sample(test, volume, pointsOf(volume)).filter((value) => !Number.isNaN(value));
+      const kinds = new Set(volume.samples);
+      expect(got.length).to.be.above(400);
+      // Texels have 8 bits: a kind is a share of 255 in float32.
+      const off = got.filter((value) => !kinds.has(Math.round(value)) || Math.abs(value - Math.round(value)) > 3e-5);
+      expect(off).to.deep.equal([]);
+      expect(new Set(got.map(Math.round)).size).to.be.above(6);
+    });
+
     it('puts more rays in a row where there are more than the device has rows', () => {
       const options = {
         sweeps: [1, 2, 4].map((elevation, i) => ({ elevation, azimuths: evenAzimuths(360), gates: 9 + i })),

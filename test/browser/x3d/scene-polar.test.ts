@@ -71,6 +71,9 @@ const cases: Case[] = [
   { name: 'from inside', scene: 'five sweeps', orbit: { theta: 2, phi: 1.3, radius: 0.1 }, exaggeration: 3 },
 ];
 
+/** Scenes whose own values are what they are about. */
+const asTheyAre = new Set(['folds', 'kinds of echo']);
+
 function viewOf({
   scene,
   orbit = { theta: 0.6, phi: 1.1, radius: 1.2 },
@@ -78,7 +81,7 @@ function viewOf({
   beamModel,
   opacityFactor = 2,
 }: Case): View {
-  const options = scene === 'folds' ? polarScenes[scene] : withStorm(polarScenes[scene]);
+  const options = asTheyAre.has(scene) ? polarScenes[scene] : withStorm(polarScenes[scene]);
   const volume = radarVolume(options, {
     ...(exaggeration ? { verticalExaggeration: exaggeration } : {}),
     ...(beamModel ? { beamModel } : {}),
@@ -110,6 +113,7 @@ const fromTextures = new Set([
   'rays that crowd',
   'rays of their own elevations',
   'folds',
+  'kinds of echo',
 ]);
 
 for (const version of [2, 1] as const) {

@@ -1,5 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolatePolar, polarSampler } from '../../../src/radar/interpolate-polar.ts';
+import {
+  interpolateBeam,
+  interpolatePolar,
+  interpolateSweep,
+  nearestGate,
+  polarSampler,
+} from '../../../src/radar/interpolate-polar.ts';
+import { polarField } from '../../../src/radar/polar-field.ts';
 import { beamToLocal } from '../../../src/radar/polar-geometry.ts';
 import type { PolarVolume } from '../../../src/volume/volume.ts';
 import { randomNumbers } from '../../helpers/synthetic.ts';
@@ -283,6 +290,35 @@ describe('interpolation on a polar grid', () => {
     expect(at(missing, 5500, 60.1, 1)).to.deep.equal(NaN);
     expect(at(missing, 5500, 74.9, 1)).to.deep.equal(NaN);
     expect(at(missing, 5500, 75.1, 1)).to.equal(7);
+  });
+
+  it('takes kinds of echo from the nearest gate with data, exactly', () => {
+    const volume = radarVolume(polarScenes['kinds of echo']);
+    const { samples, grid } = volume;
+    const random = randomNumbers(7);
+    const kinds = new Set<number>();
+    for (let i = 0; i < 4000; i++) {
+      const beam = { range: 500 + 20_000 * random(), azimuth: 360 * random(), elevation: 12 * random() };
+      const [value, nearest] = [interpolateBeam(samples, grid, beam), nearestGate(samples, grid, beam)];
+      if (Number.isNaN(value)) continue;
+      kinds.add(value);
+      expect(value).to.equal(samples[nearest]);
+    }
+    expect(kinds.size).to.be.above(6);
+    // Of 10 and 140, 1.2 km from one and 0.8 km from the other, on a cone of one sweep too.
+    const two = radarVolume({
+      sweeps: [{ elevation: 1, gateLength: 2000, firstGate: 1000, stored: (_a, gate) => (gate < 3 ? 10 : 140) }],
+      moments: [['HCA', 'kinds']],
+    });
+    for (const [range, kind] of [
+      [5900, 10],
+      [6200, 140],
+    ]) {
+      expect(at(two, range, 40, 1)).to.equal(kind);
+      expect(interpolateSweep(two.samples, two.grid, 0, { range, azimuth: 40, elevation: 1 })).to.equal(kind);
+    }
+    const field = polarField(two);
+    expect([field.isFolded(10, 140), field.isFolded(10, 20)]).to.deep.equal([true, true]);
   });
 
   it('averages no velocities across a fold', () => {

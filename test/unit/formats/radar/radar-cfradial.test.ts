@@ -166,6 +166,7 @@ describe('what a moment is', () => {
     ['velocity_texture', undefined, 'm/s', 'other'],
     ['reflectivity', undefined, 'mm6/m3', 'other'],
     ['QCFLAGS', undefined, '', 'other'],
+    ['CLASS', undefined, '', 'kinds'],
   ];
   for (const [name, standardName, unit, kind] of kinds) {
     it(`${name} ${standardName ?? ''} ${unit}: ${kind}`, () => {

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { gzipSync } from 'fflate';
 import { readLevel3 } from '../../../../src/formats/radar/level3.ts';
+import { nearestOnly } from '../../../../src/volume/polar-grid.ts';
 import { bzip2 } from '../../../fuzz/grammars/bzip2-writer.ts';
 import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
 import { buildLevel3, builtProducts } from '../../../helpers/level3-builder.ts';
@@ -61,11 +62,16 @@ describe('NEXRAD Level III', () => {
     expect(volume.range).to.deep.equal([-63.5, 63]);
   });
 
-  it('of kinds of echo says what its numbers stand for, and that colours between two kinds say nothing', async () => {
-    const { radar } = await decodeBytes(buildLevel3(builtProducts.classes165), 'N0H');
-    expect(radar!.left).to.have.length(1);
-    expect(radar!.left[0]).to.contain('60 rain').and.to.contain('colours are mixed');
-    expect((await decodeBytes(buildLevel3(builtProducts.ratio159), 'N0X')).radar!.left).to.deep.equal([]);
+  it('of kinds of echo says what its numbers stand for, mixes none, and has one colour for a kind in all files', async () => {
+    const volume = await decodeBytes(buildLevel3(builtProducts.classes165), 'N0H');
+    const { radar, grid, window, transferFunction } = volume;
+    expect(radar!.left).to.deep.equal([]);
+    expect(radar!.details.join()).to.contain('60 rain');
+    expect(grid.kind === 'polar' && grid.foldFrom).to.equal(nearestOnly);
+    expect({ window, transferFunction }).to.deep.equal({ window: [0, 140], transferFunction: 'turbo' });
+    const other = await decodeBytes(buildLevel3({ ...builtProducts.classes165, numbers: [[60, 70]] }), 'N0H');
+    expect(other.window).to.deep.equal(window);
+    expect((await decodeBytes(buildLevel3(builtProducts.ratio159), 'N0X')).radar!.details).to.deep.equal([]);
   });
 
   it('that was cut short shows the radials before the cut, and says so', async () => {

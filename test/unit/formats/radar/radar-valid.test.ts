@@ -1,4 +1,5 @@
 // What CfRadial says of gates, radials and sweeps that are no data: read from files.
+import { nearestOnly } from '../../../../src/volume/polar-grid.ts';
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../../../src/formats/radar/build-polar-volume.ts';
 import { readCfradial1 } from '../../../../src/formats/radar/cfradial1.ts';
@@ -120,6 +121,15 @@ describe('what a variable calls valid', () => {
       await valuesOf(Int16Array.of(0, 1, 2, 3), { flag_values: [0, 1], flag_meanings: 'rain no_data snow' }),
       'of another number',
     ).to.deep.equal([0, 1, 2, 3]);
+  });
+
+  it('several flags that stand for something make kinds of echo of a variable, which are not mixed', async () => {
+    const kindsOf = async (flags: Attributes) => (await scan(Int16Array.of(0, 1, 2, 3), flags)).moments[0];
+    const kinds = { flag_values: [0, 1, 2, 3], flag_meanings: 'no_data rain snow hail' };
+    expect(await kindsOf(kinds)).to.deep.equal({ name: 'DBZ', unit: 'dBZ', kind: 'kinds', numbers: [1, 3] });
+    const { grid } = buildPolarVolume(await scan(Int16Array.of(0, 1, 2, 3), kinds), {});
+    expect(grid.foldFrom).to.equal(nearestOnly);
+    expect((await kindsOf({ flag_values: [0, 1], flag_meanings: 'no_data rain' })).kind).to.equal('reflectivity');
   });
 
   it('is said, and changes nothing that needs a sign', async () => {

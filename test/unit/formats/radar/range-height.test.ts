@@ -3,6 +3,7 @@ import { Budget } from '../../../../src/formats/base/budget.ts';
 import { arrangeRangeHeight } from '../../../../src/formats/radar/range-height.ts';
 import { readCfradial1 } from '../../../../src/formats/radar/cfradial1.ts';
 import { readCfradial2 } from '../../../../src/formats/radar/cfradial2.ts';
+import type { Mixing } from '../../../../src/formats/radar/moment-kind.ts';
 import type { RadarSweep } from '../../../../src/formats/radar/radar-file.ts';
 import { interpolateBeam, nearestGate } from '../../../../src/radar/interpolate-polar.ts';
 import { beamToLocal, localToBeam } from '../../../../src/radar/polar-geometry.ts';
@@ -101,8 +102,9 @@ describe('range-height scans', () => {
     }),
     ...more,
   });
+  const mixings: Readonly<Record<string, Mixing>> = { VEL: 'unless-folded', HCA: 'nearest' };
   const arrange = (...scans: RadarSweep[]) =>
-    arrangeRangeHeight(scans, { beamWidth: 1, folds: (name) => name === 'VEL' }, Budget.ofFile(2 ** 22));
+    arrangeRangeHeight(scans, { beamWidth: 1, mixingOf: (name) => mixings[name] ?? 'linear' }, Budget.ofFile(2 ** 22));
   const isData = (sweep: RadarSweep): number[] => [...sweep.read('DBZ')!.samples].filter((value) => value > 0);
 
   it('on different scales come to one', () => {
@@ -114,7 +116,7 @@ describe('range-height scans', () => {
     expect(values).to.deep.equal([10, 20, 17, 177]);
   });
 
-  it('fill the sweeps of others with what is between their own radials: linear, but across a fold the nearer one', () => {
+  it('fill the sweeps of others with what is between their own radials: linear, but across a fold and of kinds the nearer one', () => {
     const coarse = (moment: string, nyquist: number): number[] => {
       const of = (azimuth: number, elevations: number[], stored: number[]): RadarSweep =>
         scan(azimuth, elevations, {
@@ -128,6 +130,7 @@ describe('range-height scans', () => {
     expect(coarse('DBZ', 30)).to.deep.equal([100, 110, 120, 130, 140]);
     expect(coarse('VEL', 50)).to.deep.equal([100, 110, 120, 130, 140]);
     expect(coarse('VEL', 30)).to.deep.equal([100, 100, 100, 140, 140]);
+    expect(coarse('HCA', Infinity)).to.deep.equal([100, 100, 100, 140, 140]);
   });
 
   it('with gates elsewhere are left out, which is said', () => {
