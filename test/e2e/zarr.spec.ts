@@ -212,6 +212,22 @@ test('its labels are those of <volume-labels>, with their colours', async ({ pag
     () => (document.querySelector('volume-labels') as unknown as { labels: readonly unknown[] }).labels,
   );
   expect(found).toMatchObject(expect.arrayContaining([expect.objectContaining({ id: 7, name: 'cortex' })]));
+  // Of a region only its chunks are read, of the labels as of the volume, and the labels are at their place.
+  const chunks = (): number => server.asked.filter((path) => /labels\/cells\/\d\/\d/.test(path)).length;
+  const before = chunks();
+  await withElement(page, async (one) => {
+    one.region = [-13, -15, 8, -6, -8, 15];
+    await one.whenRendered();
+  });
+  expect(chunks() - before).toBeGreaterThan(0);
+  expect(chunks() - before).toBeLessThanOrEqual(64); // Of 210.
+  // The cortex begins at x = 15 of the file.
+  const seen = await page.evaluate(() =>
+    (document.querySelector('volume-labels') as unknown as { labels: readonly { id: number }[] }).labels.map(
+      ({ id }) => id,
+    ),
+  );
+  expect(seen).toEqual([0, 2]);
 });
 
 test('what is no Zarr is refused in words', async ({ page }) => {

@@ -1,3 +1,4 @@
+import { spacingOf } from '../../volume/grid.ts';
 import { chooseReduction } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
@@ -9,6 +10,9 @@ import type { OmeLevel } from './ome-levels.ts';
 
 /** Chunks that are asked for of one level, and bytes that are unpacked for it. */
 const [maxChunks, maxUnpacked] = [2 ** 16, 2 ** 33];
+
+/** Lengths that differ by less than this factor are the same. */
+const nearly = 1.01;
 
 /** The voxels of a level that a region needs. */
 export interface LevelBox {
@@ -66,6 +70,15 @@ export function chooseLevel(
         limits,
       ).every((factor) => factor === 1));
   return boxes.find(fits) ?? boxes[boxes.length - 1];
+}
+
+/** The shortest side of a level's voxels, world units. */
+export const detailOf = ({ level }: LevelBox, axes: OmeAxes): number => Math.min(...spacingOf(worldOf(level, axes)));
+
+/** The levels from the coarsest one on whose voxels are no longer than wanted; all of them where none is so fine. */
+export function coarseEnough(boxes: readonly LevelBox[], detail: number, axes: OmeAxes): readonly LevelBox[] {
+  const isFine = boxes.map((box) => detailOf(box, axes) <= nearly * detail);
+  return boxes.slice(Math.max(0, isFine.lastIndexOf(true)));
 }
 
 export const countVoxels = ({ dimensions: [nx, ny, nz] }: { readonly dimensions: Vector3 }): number => nx * ny * nz;

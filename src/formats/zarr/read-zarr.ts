@@ -10,7 +10,7 @@ import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { timeAt } from '../series/scan-times.ts';
-import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
+import { chooseLevel, coarseEnough, countVoxels, cutLevel, detailOf, isReadable, worldOfBox } from './choose-level.ts';
 import type { LevelBox } from './choose-level.ts';
 import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
@@ -34,6 +34,9 @@ export interface ZarrLoad {
 
 /** The coarsest level is shown first where the chosen one has at least so many times its voxels. */
 const minForPart = 4;
+
+/** Labels with voxels that are longer by this factor than those of the volume look coarse in it. */
+const muchCoarser = 1.5;
 
 /** Times that a page can have as scans. */
 const maxTimes = 10_000;
@@ -61,12 +64,14 @@ export async function readZarr(
   // A region that holds nothing of the volume is an error of the view, which says it.
   const region =
     settings.region && levels.every((level) => cutLevel(level, axes, settings.region!)) ? settings.region : null;
+  const { labelDetail } = settings;
+  if (labelDetail !== undefined && settings.region && !region) throw nothingThere();
   const boxes = levels.map((level) => cutLevel(level, axes, region)!);
   const stored = Math.min(4, levels[0].array.type.bytesPerSample);
   const limits = { ...load.limits, maxBytes: Math.min(load.limits.maxBytes, settings.maxBytes ?? Infinity) };
   const ofChannels = shown.kind === 'colors' ? limitsOfChannels(limits, shown.list.length, stored) : null;
   const chosen = chooseLevel(
-    boxes,
+    labelDetail === undefined ? boxes : labelLevels(boxes, labelDetail, image),
     arrayBox,
     ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : limits,
     axes,
@@ -77,6 +82,8 @@ export async function readZarr(
       'format/too-large',
       `the coarsest level of the ${image.format} has ${chosen.dimensions.join(' x ')} voxels in too many chunks, or in too large ones; expected a pyramid with a smaller level, or larger chunks`,
     );
+  if (labelDetail !== undefined && !image.labels && stored * countVoxels(chosen) > limits.maxBytes)
+    throw tooManyLabels(image.format, chosen);
   // As scans, the other times are shown too.
   const describe = describeImage(image, { shown, time, times, volumes: settings.scan ? 1 : times });
   const readSamples = async (box: LevelBox, channel: number, onProgress: ProgressListener) => {
@@ -106,6 +113,7 @@ export async function readZarr(
     return placeVolume({ ...describe, ...values, grid: cartesianGrid(dimensions, indexToWorld) }, settings);
   };
   if (
+    labelDetail === undefined &&
     coarsest !== chosen &&
     minForPart * countVoxels(coarsest) <= countVoxels(chosen) &&
     isReadable(coarsest, arrayBox(coarsest))
@@ -128,8 +136,35 @@ export async function readZarr(
     samples,
     grid: cartesianGrid(dimensions, indexToWorld),
     reduced: { from: finest.dimensions, to: dimensions },
+    ...(labelDetail !== undefined &&
+      detailOf(chosen, axes) > muchCoarser * labelDetail && {
+        left: [...(volume.left ?? []), sayCoarse(chosen, finest)],
+      }),
     ...(samples !== volume.samples && { indexed: undefined }),
   };
+}
+
+/** The levels that labels may be read of. Values of an image that is not said to have labels may be means in all but the finest one. */
+function labelLevels(boxes: readonly LevelBox[], detail: number, { axes, labels }: OmeImage): readonly LevelBox[] {
+  return labels ? coarseEnough(boxes, detail, axes) : boxes.slice(0, 1);
+}
+
+function nothingThere(): VolumeViewError {
+  return new VolumeViewError(
+    'format/unsupported',
+    'the labels and the volume have no place in common; expected files of the same body in the same coordinates',
+  );
+}
+
+function tooManyLabels(format: string, { dimensions }: LevelBox): VolumeViewError {
+  return new VolumeViewError(
+    'format/too-large',
+    `the ${format} has ${dimensions.join(' x ')} voxels; expected at most 1 GiB of labels, or a pyramid whose metadata have "image-label", of which a coarser level can be read`,
+  );
+}
+
+function sayCoarse({ dimensions }: LevelBox, finest: LevelBox): string {
+  return `the labels are those of ${dimensions.join(' x ')} larger voxels, instead of ${finest.dimensions.join(' x ')}: the finer levels have more than 1 GiB, and small labels may be missing`;
 }
 
 /** Bytes that were taken for a volume's samples. */

@@ -16,7 +16,7 @@ import { LabelFunctions } from './label-functions.ts';
 import { ownLabelsAppearance } from '../appearance/own-labels-appearance.ts';
 import type { LabelTarget } from './label-target.ts';
 import { LastWork } from '../model/last-work.ts';
-import { placeLabels, refuseRadar } from './place-labels.ts';
+import { labelPartOf, placeLabels, refuseRadar } from './place-labels.ts';
 import { describeLabels, hideChosen, styleLabels } from '../model/view-labels.ts';
 import type { LabelEntry } from '../model/view-labels.ts';
 
@@ -25,7 +25,7 @@ export interface LabelControllerHost extends AttachmentHost<LabelTarget> {
   /** What the author says about labels. @param ids - of the file */
   said(ids: readonly number[]): LabelChildren;
   /** Load the file, where its values need a change before they are labels. */
-  load?(src: string, signal: AbortSignal, fetch?: typeof globalThis.fetch | null): Promise<LabelFile>;
+  load?: typeof loadLabelFile;
   readonly wanted: () => {
     readonly src: string | null;
     readonly table: string | null;
@@ -162,9 +162,17 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
       target.reportFiles([]);
       return this.#apply(null);
     }
+    // Of a pyramid only what the volume shows is read: the target reports the volume when it is there. Other files with these letters wait, too.
+    const isPyramid = !this.host.load && /zarr|ozx/.test(src ?? '');
+    if (isPyramid && !target.volume) return;
+    const part = isPyramid ? labelPartOf(target.volume!) : undefined;
     // Both load at the same time; if one fails, an error of the other is not reported.
     const [file, names] = await Promise.all([
-      src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop, target.fetch)) : null,
+      src
+        ? this.#files.get(`${src} ${JSON.stringify(part)}`, signal, (stop) =>
+            (this.host.load ?? loadLabelFile)(src, stop, target.fetch, part),
+          )
+        : null,
       table ? this.#tables.get(table, signal, (stop) => loadTable(table, stop, target.fetch)) : null,
     ]);
     signal.throwIfAborted();
@@ -184,7 +192,7 @@ export class LabelController extends AttachmentController<LabelTarget, LabelCont
     };
     if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // The target reports this volume too when it is there.
     const url = src ?? target.file;
-    const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) =>
+    const map = await this.#placed.get(`${url} ${JSON.stringify([volume.grid, part])}`, signal, (stop) =>
       placeLabels(from, volume, url, stop),
     );
     signal.throwIfAborted();

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../../core/errors.ts';
-import { axialIndexToWorld, cartesianGrid } from '../../volume/grid.ts';
+import { axialIndexToWorld, cartesianGrid, corners } from '../../volume/grid.ts';
 import type { CartesianGrid } from '../../volume/grid.ts';
 import type { LabelMap } from '../../volume/labels.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../../volume/matrix.ts';
@@ -8,7 +8,7 @@ import { reduceLabels } from '../../volume/reduce-labels.ts';
 import { resampleLabels } from '../../volume/resample-labels.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { LabelFile } from '../loading/label-files.ts';
+import type { LabelFile, LabelPart } from '../loading/label-files.ts';
 
 /** Time of work before the page gets a turn, ms. */
 const turn = 12;
@@ -87,6 +87,15 @@ export function isPlaced({
   if (anatomical || /^(nifti|nrrd|metaimage)/i.test(format)) return true;
   const usual = axialIndexToWorld(dimensions, spacing);
   return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));
+}
+
+/** What of a pyramid is read for a volume: where the volume is, as finely as the volume is; undefined for one without a place. */
+export function labelPartOf(volume: Volume): LabelPart | undefined {
+  if (isPolar(volume)) return undefined;
+  const grid = volume.grid as CartesianGrid;
+  const all = corners(grid);
+  const ends = [Math.min, Math.max].flatMap((end) => [0, 1, 2].map((axis) => end(...all.map((one) => one[axis]))));
+  return isPlaced({ ...volume, grid }) ? { region: ends, labelDetail: Math.min(...grid.spacing) } : undefined;
 }
 
 /** Do long work in parts, with time for the page in between. @throws the signal's reason */

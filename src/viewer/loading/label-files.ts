@@ -2,6 +2,7 @@ import { VolumeViewError } from '../../core/errors.ts';
 import { loadPart } from '../../core/load-part.ts';
 import { fetchBytes } from '../../sources/fetch-bytes.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
+import type { SourceSettings } from '../../formats/base/source-settings.ts';
 import type { LabelTable } from '../../formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../../formats/label-tables/read-label-table.ts';
 import { findLabels } from '../../volume/resample-labels.ts';
@@ -25,22 +26,30 @@ export interface LabelFile {
   readonly anatomical?: boolean;
 }
 
-/** Labels are never made smaller by averaging: a file above these limits is refused. */
+/** Labels are never made smaller by averaging: a file above these limits is refused, or a coarser level of its pyramid is read. */
 const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };
 
 /**
  * Load a file with labels, by the readers of volume files.
  * @throws {VolumeViewError} as loading volumes does, and `format/unsupported` where its values are not labels
  */
-export async function loadLabelFile(url: string, signal: AbortSignal, fetch?: Fetch): Promise<LabelFile> {
+export async function loadLabelFile(
+  url: string,
+  signal: AbortSignal,
+  fetch?: Fetch,
+  settings?: LabelPart,
+): Promise<LabelFile> {
   if (/\s/.test(url.trim()))
     throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
-  const file = await labelFileOf({ url: url.trim() }, signal, { fetch });
+  const file = await labelFileOf({ url: url.trim(), ...(settings && { settings }) }, signal, { fetch });
   // Like the unusable parts of a table, this is reported to the author of the page.
   if (file.left)
     console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
   return file;
 }
+
+/** What of a pyramid of labels is read. */
+export type LabelPart = Required<Pick<SourceSettings, 'region' | 'labelDetail'>>;
 
 /** Instead of the browser's own `fetch`, where there is one. */
 type Fetch = AttachmentOptions['fetch'];
@@ -53,7 +62,10 @@ export async function labelFileOf(
 ): Promise<LabelFile> {
   const volume = await loadAttachment({ ...request, limits }, signal, { fetch });
   const { format, anatomical, named, left } = volume;
-  return { ...labelsIn(change(volume), request.url), format, anatomical, named, left };
+  // Of a pyramid of labels a coarser level was read; nothing was averaged.
+  const isLevel = request.settings?.labelDetail !== undefined && /Zarr/.test(format);
+  const labels = isLevel ? { ...volume, reduced: undefined } : volume;
+  return { ...labelsIn(change(labels), request.url), format, anatomical, named, left };
 }
 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */
