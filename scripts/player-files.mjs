@@ -4,5 +4,7 @@ export const playerFiles = [
   'volume-view.css',
   'x3dom.js',
   'classic',
+  'embed.js',
+  'embed.css',
   'THIRD-PARTY-LICENSES.txt',
 ];

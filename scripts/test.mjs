@@ -71,6 +71,12 @@ const parts = [
     counts: true,
     browser: true,
   },
+  {
+    title: 'Lessons for frames of other sites',
+    args: ['test/package/lesson-embed.mjs'],
+    counts: true,
+    browser: true,
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {

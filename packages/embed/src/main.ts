@@ -1,5 +1,6 @@
 // The page for frames. Its script has an attribute `data-page` in the pages of an embed folder: `lesson`, where the lesson is in the page already, or
 // `poster`, where a button leads to it. Without it, the address says what is shown.
+import { wordOfShow } from '../../lesson-writers/src/word-of-show.ts';
 import { addProblems, showMessage } from './page-parts.ts';
 import { showLesson } from './show-lesson.ts';
 import { showView } from './show-view.ts';
@@ -7,7 +8,7 @@ import { readAddress, readOrigins } from './read-address.ts';
 import type { EmbedPlan } from './read-address.ts';
 import { reportHeight } from './report-height.ts';
 import { Talk } from './talk.ts';
-import { english, wordOfShow } from './words.ts';
+import { english } from './words.ts';
 
 const { page: form, next } = (document.currentScript as HTMLScriptElement).dataset;
 const plan = readAddress(location.href);

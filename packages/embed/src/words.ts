@@ -1,22 +1,4 @@
-// What the page says. Readers see the button, so it is in their language; the rest is for the author of the frame, in English.
-
-/** Of the button over a poster, by languages. */
-const showWords: Readonly<Record<string, string>> = {
-  en: 'Show in 3D',
-  de: 'In 3D zeigen',
-  es: 'Ver en 3D',
-  fr: 'Afficher en 3D',
-  ja: '3D\u3067\u8868\u793a',
-  pt: 'Ver em 3D',
-  zh: '\u4ee5 3D \u663e\u793a',
-  ar: '\u0639\u0631\u0636 \u062b\u0644\u0627\u062b\u064a \u0627\u0644\u0623\u0628\u0639\u0627\u062f',
-};
-
-/** @param languages - of the page, then those of the reader */
-export function wordOfShow(languages: readonly string[]): string {
-  const known = languages.map((one) => one.toLowerCase().split('-')[0]).find((one) => Object.hasOwn(showWords, one));
-  return showWords[known ?? 'en'];
-}
+// What the page says to the author of the frame.
 
 export const english = {
   nothing: 'No volume',

@@ -4,6 +4,8 @@ export { listManifestFiles } from './manifest-files.ts';
 export { readLesson } from './read-lesson.ts';
 export type { LessonContent, LessonElement, LessonNode } from './check-lesson-html.ts';
 export { escapeMarkup } from './write-html.ts';
+export { writeEmbedFiles } from './write-embed.ts';
+export type { EmbedOptions } from './write-embed.ts';
 export { writePageFiles } from './write-page.ts';
 export { largeFile, writeSingleFile } from './write-single-file.ts';
 export { writeScormFiles } from './write-scorm.ts';

@@ -54,10 +54,13 @@ export function writePageFiles(lesson: Lesson, player: Player, form: Partial<Pag
   return sortFiles([
     { path: 'index.html', bytes: encode(writePage(lesson, nodes, { ...folderForm, ...form })) },
     { path: 'lesson.css', bytes: encode(styles) },
-    ...player.map(({ path, bytes }) => ({ path: playerFolder + path, bytes })),
+    ...player.filter(({ path }) => !isForFrames(path)).map(({ path, bytes }) => ({ path: playerFolder + path, bytes })),
     ...lesson.files.map(({ path, bytes }) => ({ path: dataFolder + cleanPath(path), bytes })),
   ]);
 }
+
+/** Whether a file of the player is for the pages of frames only. */
+export const isForFrames = (path: string): boolean => path.startsWith('embed.');
 
 /** Files in the order of their paths: the same lesson is the same list. */
 export function sortFiles(files: readonly LessonFile[]): LessonFile[] {
@@ -115,13 +118,16 @@ ${form.head}</head>
 ${heading}${writeNodes(nodes, form).trim()}
 </main>
 <footer class="credits">
-<p>${escapeMarkup(credits)}</p>
-<p>${/^https?:\/\/[^\s]+$/.test(licence) ? `<a href="${escapeMarkup(licence)}" rel="license noopener noreferrer" target="_blank">${escapeMarkup(licence)}</a>` : escapeMarkup(licence)}</p>
-</footer>
+${writeCredits(lesson)}</footer>
 ${form.end}</body>
 </html>
 `;
 }
+
+/** Who made the data, and under which licence: each page shows it. */
+export const writeCredits = ({ licence, credits }: Lesson): string => `<p>${escapeMarkup(credits)}</p>
+<p>${/^https?:\/\/[^\s]+$/.test(licence) ? `<a href="${escapeMarkup(licence)}" rel="license noopener noreferrer" target="_blank">${escapeMarkup(licence)}</a>` : escapeMarkup(licence)}</p>
+`;
 
 const hasHeading = (node: LessonNode): boolean =>
   typeof node !== 'string' && (node.name === 'h1' || node.children.some(hasHeading));

@@ -17,8 +17,8 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
-volume-view-prepare LESSON.html [--as page | single-file | scorm | scorm-2004] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
-    a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, or as a package (ZIP) for a course
+volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
+    a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package (ZIP) for a course
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 
@@ -105,19 +105,23 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
 interface LessonValues extends LessonWords {
   readonly as?: string;
   readonly pass?: string;
+  readonly address?: string;
   readonly out?: string;
 }
 
-async function writeCourse(path: string, { as = 'page', pass, out, ...words }: LessonValues): Promise<void> {
+async function writeCourse(path: string, { as = 'page', pass, address, out, ...words }: LessonValues): Promise<void> {
   const { lessonForms, writeLesson } = await import('./write-lesson.ts');
   const form = lessonForms.find((one) => one === as);
   if (!form) throw new Misuse(`got --as ${as}; expected ${lessonForms.join(', ')}`);
   if (pass !== undefined && !form.startsWith('scorm'))
     throw new Misuse(`got --pass for a ${form}; expected it with --as scorm`);
+  if (address !== undefined && form !== 'embed')
+    throw new Misuse(`got --address for a ${form}; expected it with --as embed`);
   const percent = pass === undefined ? null : readCount('pass', pass, [1, 100]);
   const written = await writeLesson(path, {
     as: form,
     pass: percent,
+    address,
     out,
     words,
     player: new URL('./player/', import.meta.url),
@@ -156,6 +160,7 @@ async function main(): Promise<void> {
       licence: { type: 'string' },
       credits: { type: 'string' },
       pass: { type: 'string' },
+      address: { type: 'string' },
       'keep-names': { type: 'boolean', default: false },
       deface: { type: 'boolean', default: false },
       help: { type: 'boolean', short: 'h' },

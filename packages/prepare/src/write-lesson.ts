@@ -8,6 +8,7 @@ import {
   largeFile,
   listManifestFiles,
   readLesson,
+  writeEmbedFiles,
   writePageFiles,
   writeScormFiles,
   writeSingleFile,
@@ -24,7 +25,7 @@ export interface LessonWords {
   readonly credits?: string;
 }
 
-export const lessonForms = ['page', 'single-file', 'scorm', 'scorm-2004'] as const;
+export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004'] as const;
 
 /** What a lesson becomes: a folder, one page, or an archive. */
 export type LessonForm = (typeof lessonForms)[number];
@@ -33,6 +34,8 @@ interface LessonOptions {
   readonly as: LessonForm;
   /** Percent of the questions. */
   readonly pass: number | null;
+  /** Where the folder of a lesson for frames will be. */
+  readonly address: string | undefined;
   readonly out: string | undefined;
   readonly words: LessonWords;
   /** The folder with the element's own files. */
@@ -47,12 +50,12 @@ const maxBytes = 2 ** 29;
  * @param path - of the HTML
  * @throws {LessonError} where something in it is refused
  */
-export async function writeLesson(path: string, { as, pass, out, words, player }: LessonOptions) {
+export async function writeLesson(path: string, { as, pass, address, out, words, player }: LessonOptions) {
   const { lesson, left } = await readLessonFiles(path, words);
-  const files = makeFiles(lesson, await readPlayer(fileURLToPath(player)), as, pass);
+  const files = makeFiles(lesson, await readPlayer(fileURLToPath(player)), { as, pass, address });
   const own = nameFiles(path.replace(/\.x?html?$/i, ''));
   const target = resolve(out ?? own + endings[as]);
-  const one = as === 'page' ? null : as === 'single-file' ? files[0].bytes : zipFiles(files);
+  const one = as === 'page' || as === 'embed' ? null : as === 'single-file' ? files[0].bytes : zipFiles(files);
   if (one && target === resolve(path)) throw new RangeError('got the lesson itself as --out; expected another name');
   if (one) await writeWhole(dirname(target), basename(target), one);
   else {
@@ -72,12 +75,18 @@ export async function writeLesson(path: string, { as, pass, out, words, player }
 const endings: Readonly<Record<LessonForm, string>> = {
   page: '-page',
   'single-file': '-single.html',
+  embed: '-embed',
   scorm: '.zip',
   'scorm-2004': '.zip',
 };
 
-function makeFiles(lesson: Lesson, player: readonly LessonFile[], as: LessonForm, pass: number | null): LessonFile[] {
+function makeFiles(
+  lesson: Lesson,
+  player: readonly LessonFile[],
+  { as, pass, address = '' }: Pick<LessonOptions, 'as' | 'pass' | 'address'>,
+): LessonFile[] {
   if (as === 'page') return writePageFiles(lesson, player);
+  if (as === 'embed') return writeEmbedFiles(lesson, player, { address });
   if (as === 'single-file') return writeSingleFile(lesson, player);
   return writeScormFiles(lesson, player, { version: as === 'scorm' ? '1.2' : '2004', pass });
 }
