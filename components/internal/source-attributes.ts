@@ -44,8 +44,8 @@ export class SourceAttributes extends LookAttributes {
   @property({ kind: pair }) azimuth!: readonly [first: number, step: number] | null;
 
   /**
-   * Which series is shown where the files hold several, as a folder of DICOM may: a number from 1, in the order of `volume.series`. By
-   * default the one with the most voxels.
+   * Which volume is shown where the files hold several, as a folder of DICOM may: a number from 1, in the order of `volume.series`. By
+   * default the largest file, and of series of DICOM the one with the most voxels.
    */
   @property({ kind: number }) series!: number | null;
 

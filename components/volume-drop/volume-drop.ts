@@ -202,7 +202,7 @@ export class VolumeDrop extends ReflectingElement {
       </div>
       <p part="hint"><slot>${messages.dropHint}</slot></p>
       <p class="status" part="status" role="status">${this.#renderStatus()}</p>
-      ${renderSeriesChoice(view, messages, (value) => this.#locale.number(value))}
+      ${renderSeriesChoice(view, messages, (...value) => this.#locale.number(...value))}
       ${this._isOver ? html`<div class="frame" part="frame" popover="manual">${messages.dropHere}</div>` : nothing}
     </div>`;
   }

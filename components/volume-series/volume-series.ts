@@ -10,8 +10,8 @@ import { companionGap, withViewWidth } from '../internal/view-width.ts';
 import { VolumeLink } from '../internal/volume-link.ts';
 
 /**
- * The series of a DICOM folder or archive, with a small picture of each: a choice shows another one. It writes the attribute `series` of the
- * view. Where the files hold one series there is nothing to choose, and it shows nothing.
+ * The volumes of a folder, an archive or chosen files: the series of DICOM with a small picture of each, and other files. A choice shows another one. It writes the attribute `series` of the
+ * view. Where the files hold one volume there is nothing to choose, and it shows nothing.
  *
  * Without `for` it belongs to the nearest `<volume-view>`: the one around it, else the first one in the smallest element that
  * contains both.
@@ -62,7 +62,7 @@ export class VolumeSeries extends ReflectingElement {
     const lack = this.#link.describeLack(messages);
     if (lack !== null) return html`<p class="hint" part="hint"><span dir="auto">${lack}</span></p>`;
     const { view } = this.#link;
-    return view ? renderSeriesChoice(view, messages, (value) => this.#locale.number(value)) : nothing;
+    return view ? renderSeriesChoice(view, messages, (...value) => this.#locale.number(...value)) : nothing;
   }
 }
 

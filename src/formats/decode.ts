@@ -18,6 +18,7 @@ export interface DecodeContext extends FileAccess {
    * stack.
    */
   readonly files?: readonly string[];
+  readonly before?: number;
   readonly folder?: FolderAccess;
   readonly openList?: ReadContext['openList'];
   /** The known formats; all if undefined. */

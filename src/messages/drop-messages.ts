@@ -16,4 +16,8 @@ export interface DropMessages {
   /** The number that the scanner gave a series. */
   readonly seriesNumber: (number: string) => string;
   readonly seriesSlices: (count: string) => string;
+  /** The number of the files of a volume that was not read yet. */
+  readonly seriesFiles: (count: string) => string;
+  /** How the slices of a series lie in the patient. */
+  readonly seriesPlane: Readonly<Record<'axial' | 'coronal' | 'sagittal' | 'oblique', string>>;
 }

@@ -12,4 +12,6 @@ export const english: DropMessages = {
   seriesList: 'Series',
   seriesNumber: (number) => `Series ${number}`,
   seriesSlices: (count) => `Slices: ${count}`,
+  seriesFiles: (count) => `Files: ${count}`,
+  seriesPlane: { axial: 'axial', coronal: 'coronal', sagittal: 'sagittal', oblique: 'oblique' },
 };

@@ -27,7 +27,7 @@ export async function prepareChosen(
   { series, scan }: ChosenVolume,
 ): Promise<PreparedVolume | PrepareFailure> {
   try {
-    const opened = await openFiles({ base, files }, { isStack: false });
+    const opened = await openFiles({ base, files }, { isStack: false, series: series ?? undefined });
     if (opened.tree)
       throw new VolumeViewError(
         'format/unsupported',
@@ -39,7 +39,12 @@ export async function prepareChosen(
       read: (url, options = {}) => opened.read(url, options),
     };
     const source = { first: opened.first, files: opened.files, phase: 1 } as const;
-    const options = { fit: 'desktop', poster: 0, deviceBytes, series: series ?? undefined } as const;
+    const options = {
+      fit: 'desktop',
+      poster: 0,
+      deviceBytes,
+      series: series === null ? undefined : series - (opened.before ?? 0),
+    } as const;
     let at = 0;
     for await (const one of prepareSource(store, source, options)) if (at++ === scan) return one;
     throw new VolumeViewError('internal', `got scan ${scan + 1} of ${at}`);

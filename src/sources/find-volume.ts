@@ -1,5 +1,4 @@
 import { VolumeViewError } from '../core/errors.ts';
-import { checkFileCount } from '../formats/base/check-file-count.ts';
 import { findForeign } from '../formats/base/foreign-formats.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { keptBytes } from '../formats/base/format.ts';
@@ -12,7 +11,7 @@ import { lookAt, findByBytes } from '../formats/sniff.ts';
 import { pathOf } from './byte-store.ts';
 import type { ByteStore } from './byte-store.ts';
 import { divideFiles } from './divide-files.ts';
-import type { FileKind, SniffedFile } from './divide-files.ts';
+import type { Division, FileKind, SniffedFile } from './divide-files.ts';
 import { GroupReader } from './group-reader.ts';
 
 /** Bytes of a file by which its format is recognized, where the first few do not say it. */
@@ -24,19 +23,24 @@ const maxStarts = 2 ** 11;
 /** Bytes of a manifest, which has to be read to know that it is one: other programs write JSON files too. */
 const maxManifestBytes = 2 ** 26;
 
+/** Of packed files, the endings of those that hold a volume, and not the data of a header. */
+const packedVolume = /\.(nii|mgh|mha|nrrd|npy|vti|mnc)\.(gz|bz2|zst)$/i;
+
 const everyFormat: readonly Format[] = [...allFormats, ...rareFormats];
 
-/** The file of a store with which its volume begins, and all files of a stack. */
-export interface FoundVolume {
-  readonly first: string;
-  readonly files?: readonly string[];
-  /** Whether names of the files may be those of patients: then messages do not have them. */
-  readonly isPrivate?: true;
+/** The volumes in the files of a store. */
+export interface FoundVolumes extends Division {
   /** The starts of some files of a series, which were read already. */
   readonly starts?: ReadonlyMap<string, DecodeInput>;
+  /** Known files that are not read, in words without their names: what each is, and what to do. */
+  readonly refused: readonly string[];
 }
 
 export interface FindOptions {
+  /** What holds the files, for messages: 'the ZIP archive scan.zip'. */
+  readonly what: string;
+  /** Whether there are volumes of other files: then none among these is no error. */
+  readonly isBeside?: boolean;
   /** Whether images are slices of one volume. */
   readonly isStack: boolean;
   readonly signal?: AbortSignal;
@@ -48,24 +52,22 @@ export interface FindOptions {
 const lookEvery = 32;
 
 /**
- * Finds the one volume that the files of an archive, or chosen files, hold: the file of a manifest, else the only file of
- * a volume, whose header may name other files; else all files of series; else the only image, or all images as the slices
- * of a stack.
+ * Finds the volumes that the files of an archive, or chosen files, hold, by the start of each.
+ * @param urls - of the store
  * @param what - the store, for messages: 'the ZIP archive scan.zip'
- * @throws {VolumeViewError} `format/unknown` where there is none, `format/unsupported` where there are several
+ * @throws {VolumeViewError} `format/unknown` or `format/unsupported` where there is none
  */
-export async function findVolume(
+export async function findVolumes(
   store: ByteStore,
-  what: string,
-  { isStack, signal, onLook }: FindOptions,
-): Promise<FoundVolume> {
-  const urls = ((await store.list()) ?? []).filter((url) => !isLitter(url));
+  urls: readonly string[],
+  { what, isStack, isBeside, signal, onLook }: FindOptions,
+): Promise<FoundVolumes> {
   if (urls.length === 0) throw new VolumeViewError('format/unknown', `${what} holds no files; expected one volume`);
-  const [first] = urls;
-  if (urls.length === 1) return { first, ...(isStack && { files: urls }) };
+  if (urls.length === 1 && !isBeside)
+    return { parts: [{ of: isStack ? 'images' : 'volume', files: urls, format: '' }], images: [], refused: [] };
   const files: SniffedFile[] = [];
   const starts = new Map<string, DecodeInput>();
-  let other: { readonly url: string; readonly name: string; readonly advice: string } | null = null;
+  const foreign = new Map<string, { readonly urls: string[]; readonly advice: string }>();
   const few = { start: 0, end: keptBytes };
   const reader = new GroupReader(store, {
     range: few,
@@ -78,33 +80,32 @@ export async function findVolume(
     if (read.status === 'rejected') throw read.reason;
     const url = urls[files.length];
     let start = await lookAt(read.value.bytes);
-    let kind = await sniffKind(store, url, start);
-    if ((kind === 'other' || kind === 'packed') && read.value.missing! > 0) {
+    let sniffed = await sniffStart(store, url, start);
+    if ((sniffed.kind === 'other' || sniffed.kind === 'packed') && read.value.missing! > 0) {
       start = await lookAt((await store.read(url, { range: { start: 0, end: startBytes }, signal })).bytes);
-      kind = await sniffKind(store, url, start);
+      sniffed = await sniffStart(store, url, start);
     }
-    if (files.push({ url, kind }) % lookEvery === 0) onLook?.();
+    if (files.push(sniffed) % lookEvery === 0) onLook?.();
+    const { kind } = sniffed;
     if (kind === 'slice' && starts.size === 0) loadAhead(start);
     if (kind === 'slice' && starts.size < maxStarts) starts.set(url, keepStart(read.value));
-    const foreign = kind === 'other' ? findForeign(start) : null;
-    if (foreign) other ??= { url, ...foreign };
+    const other = kind === 'other' ? findForeign(start) : null;
+    if (other) foreign.set(other.name, { urls: [...(foreign.get(other.name)?.urls ?? []), url], advice: other.advice });
   }
-  const division = divideFiles(files, isStack);
-  switch (division.is) {
-    case 'volume':
-      return { first: division.first };
-    case 'stack':
-      checkFileCount(what, division.files.length);
-      return {
-        first: division.files[0],
-        files: division.files,
-        ...(division.of === 'slices' && { isPrivate: true, starts }),
-      };
-    case 'several':
-      throw refuseSeveral(what, division.urls, division.of);
-    case 'nothing':
-      throw refuseAll(what, urls, other);
+  const division = divideFiles(files, isStack, isBeside);
+  if (division.parts.length === 0 && !isBeside) {
+    if (division.images.length > 0) throw refuseImages(what, division.images);
+    const [[name, { urls: named, advice }] = [null, { urls: [], advice: '' }]] = foreign;
+    throw refuseAll(what, urls, name === null ? null : { url: named[0], name, advice });
   }
+  return {
+    ...division,
+    starts,
+    refused: [...foreign].map(
+      ([name, { urls: named, advice }]) =>
+        `${named.length > 1 ? `${named.length.toLocaleString('en')} other files, each` : 'another file, which is'} ${name}: volume-view does not read it; convert it ${advice}`,
+    ),
+  };
 }
 
 /** The reader comes while the other files are looked at. */
@@ -117,15 +118,28 @@ function loadAhead(start: FileStart): void {
 /** In memory of its own: that of a group is not kept for one of its files. */
 const keepStart = (start: DecodeInput): DecodeInput => ({ ...start, bytes: start.bytes.slice() });
 
+/** What a file of a store is, by its start. */
+async function sniffStart(store: ByteStore, url: string, start: FileStart): Promise<SniffedFile> {
+  const format: Format | null = findByBytes(start, everyFormat);
+  return { url, kind: await kindOf(store, url, { format, start }), format: format?.name ?? '' };
+}
+
 /** What a file of a store is, by its start. @param start - of the file */
 export async function sniffKind(store: ByteStore, url: string, start: FileStart): Promise<FileKind> {
-  const format: Format | null = findByBytes(start, everyFormat);
+  return kindOf(store, url, { format: findByBytes(start, everyFormat), start });
+}
+
+async function kindOf(
+  store: ByteStore,
+  url: string,
+  { format, start }: { readonly format: Format | null; readonly start: FileStart },
+): Promise<FileKind> {
   if (!format) return 'other';
   if (format === manifest) return (await isManifest(store, url)) ? 'manifest' : 'other';
   if ('loadImage' in format) return 'image';
-  if (format.mayBeSlice) return 'image';
+  if (format.mayBeSlice) return 'page';
   if (format.isSlice) return 'slice';
-  return (await isCertain(format, start)) ? 'volume' : 'packed';
+  return (await isCertain(format, start)) || packedVolume.test(pathOf(url)) ? 'volume' : 'packed';
 }
 
 /** What systems add to archives and folders by themselves. */
@@ -155,14 +169,10 @@ async function isManifest(store: ByteStore, url: string): Promise<boolean> {
   }
 }
 
-function refuseSeveral(what: string, urls: readonly string[], of: 'volumes' | 'images'): VolumeViewError {
-  const advice =
-    of === 'images'
-      ? 'Write the attribute stack if each of them is one slice'
-      : 'Choose one of them; src takes several URLs for scans in time';
+function refuseImages(what: string, urls: readonly string[]): VolumeViewError {
   return new VolumeViewError(
     'format/unsupported',
-    `${what} holds ${urls.length} ${of}, ${listPaths(urls)}; expected one volume. ${advice}`,
+    `${what} holds ${urls.length} images, ${listPaths(urls)}; expected one volume. Write the attribute stack if each of them is one slice`,
   );
 }
 

@@ -81,7 +81,7 @@ export async function openDicomWeb(address: string, given: Reading, load?: Folde
     ...(isSeveral &&
       load && { folder: await FolderReader.of(store, files, read, { load, whole: [whole], signal: reading.signal }) }),
     isPrivate: true,
-    source: { kind: 'DICOMweb', count: files.length },
+    describe: (volume) => ({ ...volume, source: { kind: 'DICOMweb', count: files.length } }),
     read: async (url, options) => (url === first ? whole : read(url, options)),
   };
 }

@@ -6,7 +6,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import { nameOf } from '../formats/base/name-of.ts';
 import type { OpenedFiles } from './opened-files.ts';
 import type { FolderLoad } from './show-part.ts';
-import { openedTree, openTree } from './store-tree.ts';
+import { findTrees, openedTree, openTree } from './store-tree.ts';
 import { ZipStore } from './zip-store.ts';
 
 /** The URLs of files in the archive begin with this: no server can have this name (RFC 2606). */
@@ -44,8 +44,8 @@ export async function openZarr(
     },
   };
   const zip = await ZipStore.open(archive, address, archiveBase, nameOf(address));
-  const opened = await openTree(zip, archiveBase, load, { kind: 'archive', ...choice });
-  if (opened) return opened;
+  const [folder] = findTrees(await zip.list(), archiveBase);
+  if (folder !== undefined) return openTree(zip, { folder, base: archiveBase }, load, { kind: 'archive', ...choice });
   throw new VolumeViewError(
     'format/unknown',
     `the ZIP archive ${nameOf(address)} holds no Zarr; expected the files of one, with zarr.json or .zattrs`,

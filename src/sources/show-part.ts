@@ -7,7 +7,7 @@ import { finishVolume } from '../formats/finish-volume.ts';
 export interface FolderLoad {
   readonly request: Pick<LoadRequest, 'limits' | 'settings'>;
   /** Grows with files whose size is not known before they have come. */
-  readonly budget?: Pick<Budget, 'addFile'>;
+  readonly budget?: Pick<Budget, 'addFile' | 'deviceBytes'>;
   /** Receives the bytes that are read of all files together. */
   readonly onProgress: (loaded: number, total: number) => void;
   /** Taken away when a part was shown: what else stands in for the volume would come late. */

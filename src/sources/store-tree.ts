@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../core/errors.ts';
 import type { FileTree } from '../formats/zarr/file-tree.ts';
 import { urlInStore } from './byte-store.ts';
+import type { DecodedVolume } from '../formats/base/decoded-volume.ts';
 import type { ByteStore } from './byte-store.ts';
 import type { OpenedFiles } from './opened-files.ts';
 import { reasonOf } from './private-store.ts';
@@ -11,28 +12,44 @@ import type { FolderLoad } from './show-part.ts';
 const metadata = /^(.*\/)?(zarr\.json|\.zgroup|\.zattrs|\.zarray)$/;
 
 /**
- * The Zarr in an archive or in chosen files, if there is one: the folder that is the least deep, and has its metadata.
- * @param base - of the URLs of the store
+ * The folders of a store that are a Zarr each, those that are the least deep first: paths that end with a slash, or '' for all files.
+ * @param urls - of all files of the store @param base - of these URLs
  */
-export async function openTree(
-  store: ByteStore,
-  base: string,
-  load: FolderLoad | undefined,
-  { kind, ...choice }: { readonly kind: NonNullable<OpenedFiles['source']>['kind'] } & ChannelChoice,
-): Promise<OpenedFiles | null> {
-  const urls = (await store.list()) ?? [];
+export function findTrees(urls: readonly string[], base: string): readonly string[] {
   const folders = urls.flatMap((url) => {
     const found = metadata.exec(decodeURIComponent(url.slice(base.length)));
     return found ? [found[1] ?? ''] : [];
   });
-  if (folders.length === 0) return null;
   const depth = (folder: string): number => folder.split('/').length;
-  const folder = folders.reduce((least, one) => (depth(one) < depth(least) ? one : least));
+  const sorted = [...new Set(folders)];
+  sorted.sort((a, b) => depth(a) - depth(b));
+  const trees = new Set<string>();
+  for (const folder of sorted) if (findTree(folder, trees) === null) trees.add(folder);
+  return [...trees];
+}
+
+/** The one of these folders in which a path is; null where it is in none. */
+export function findTree(path: string, trees: ReadonlySet<string>): string | null {
+  for (let end = path.length; end > 0; end = path.lastIndexOf('/', end - 2) + 1)
+    if (trees.has(path.slice(0, end))) return path.slice(0, end);
+  return trees.has('') ? '' : null;
+}
+
+/** Opens a Zarr in an archive or in chosen files. @param folder - its path, as findTrees says @param base - of the URLs of the store */
+export async function openTree(
+  store: ByteStore,
+  { folder, base }: { readonly folder: string; readonly base: string },
+  load: FolderLoad | undefined,
+  { kind, ...choice }: { readonly kind: SourceInfo['kind'] } & ChannelChoice,
+): Promise<OpenedFiles> {
+  const urls = (await store.list()) ?? [];
   return openedTree(new StoreTree(store, new Set(urls), urlInStore(base, folder) + (folder && '/')), load, {
     source: { kind, count: urls.length },
     ...choice,
   });
 }
+
+type SourceInfo = NonNullable<DecodedVolume['source']>;
 
 /** Which channels the address asks for. */
 type ChannelChoice = Pick<FileTree, 'channel' | 'channels'>;
@@ -41,11 +58,11 @@ type ChannelChoice = Pick<FileTree, 'channel' | 'channels'>;
 export function openedTree(
   files: Pick<FileTree, 'read'>,
   load: FolderLoad | undefined,
-  { source, ...choice }: { readonly source?: OpenedFiles['source'] } & ChannelChoice,
+  { source, ...choice }: { readonly source?: SourceInfo } & ChannelChoice,
 ): OpenedFiles {
   return {
     first: '',
-    source,
+    describe: (volume) => ({ ...volume, source }),
     tree: {
       ...choice,
       read: files.read.bind(files),

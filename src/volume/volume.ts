@@ -54,7 +54,7 @@ export interface VolumeData {
   readonly channels?: ChannelColors;
 }
 
-/** One of the series in the files that a volume comes from. Nothing of it says whose it is. */
+/** One of the series, or of the volumes, in the files that a volume comes from. Nothing of it says whose it is. */
 export interface SeriesInfo {
   /** From 1: the attribute `series` of this number shows it. */
   readonly number: number;
@@ -62,10 +62,19 @@ export interface SeriesInfo {
   readonly shown: boolean;
   /** DICOM's code of the kind of device, 'CT' or 'MR' for instance; '' where it is not known. */
   readonly modality: string;
+  /** Where the files hold volumes of several formats, or several files of a volume each: the format of its files. */
+  readonly format?: string;
+  /** Of a volume that was not read, the number of its files, and their bytes as they lie on the disk or are unpacked. */
+  readonly files?: number;
+  readonly bytes?: number;
   /** The number that the scanner gave it; absent where there is none. */
   readonly seriesNumber?: number;
-  /** Voxels of a row, of a column, and slices. */
-  readonly dimensions: Vector3;
+  /** Voxels of a row, of a column, and slices; absent where it was not read, and for a radar's scan. */
+  readonly dimensions?: Vector3;
+  /** The plane of the patient that its slices are next to; absent where its files do not say it. */
+  readonly plane?: 'axial' | 'coronal' | 'sagittal' | 'oblique';
+  /** From voxel to voxel along a row, along a column, and from slice to slice, in mm; absent where its files do not say it. */
+  readonly spacing?: Vector3;
   /** Its middle slice, made small: brightness from 0 to 255, row by row from the top; absent where it could not be made. */
   readonly picture?: {
     readonly width: number;
@@ -92,7 +101,7 @@ export interface Provenance {
   readonly anatomical?: boolean;
   /** Set for volumes from radar files: what the file says about the scan. */
   readonly radar?: RadarInfo;
-  /** Set where its files hold several series. */
+  /** Set where its files hold several series or volumes. */
   readonly series?: readonly SeriesInfo[];
   /** Set where it comes from the reader's files, or from an archive. */
   readonly source?: SourceInfo;

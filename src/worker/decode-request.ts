@@ -107,8 +107,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
       onRadar: () => load.onCoarse?.(null),
       budget,
       request,
-      folder: opened?.folder,
-      tree: opened?.tree,
+      ...opened,
       ...reading,
     });
   };
@@ -118,7 +117,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     await breathe?.();
     signal?.throwIfAborted();
     return await finishVolume(
-      { ...decoded, source: opened?.source },
+      opened?.describe(decoded) ?? decoded,
       await request.limits,
       load.onCoarse,
       settings.clean,

@@ -54,23 +54,20 @@ test.describe('src with an archive', () => {
     });
   }
 
-  test('that holds two says which, and keeps the last good picture', async ({ page }) => {
-    await open(page, plain);
+  test('that holds two shows the larger one, lists both, and shows the other one on demand', async ({ page }) => {
+    await open(page, `${plain.replace(fieldUrl, '/test/fixtures/zip/two.zip')}<volume-series></volume-series>`);
     await settle(page);
-    await withElement(page, (element) => {
-      element.src = '/test/fixtures/zip/two.zip';
-    });
-    const { detail } = await waitForEvent(page, 'error');
-    expect(detail).toMatchObject({ code: 'format/unsupported' });
-    expect((detail as Error).message).toContain(
-      'two.zip holds 2 volumes, first.nii, second.nii.gz; expected one volume',
-    );
-    await expect(page.getByRole('alert').or(page.locator('volume-view [part=error]')).first()).toContainText('two.zip');
-    const kept = await withElement(page, async (element) => [
-      ...element.volume!.dimensions,
-      (await element.redraw()).converged,
-    ]);
-    expect(kept).toEqual([24, 20, 16, true]);
+    const rows = page.getByRole('radio');
+    await expect(rows).toHaveCount(2);
+    await expect(rows.nth(0)).toBeChecked();
+    await expect(page.locator('volume-series [part=row]').nth(1)).toContainText(/NIfTI.*0\.195 kB/s);
+    await rows.nth(1).check();
+    await expect
+      .poll(() =>
+        withElement(page, (element) => [element.series, element.volume?.series?.find(({ shown }) => shown)?.number]),
+      )
+      .toEqual([2, 2]);
+    expect((await seenEvents(page)).map(({ type }) => type)).not.toContain('error');
   });
 
   test('of an encrypted volume says so', async ({ page }) => {

@@ -3,6 +3,7 @@ import { deflateSync } from 'fflate';
 
 /** Elements by their keywords in PS3.6: their tag and value representation. */
 const dictionary = {
+  OffsetOfTheFirstDirectoryRecordOfTheRootDirectoryEntity: [0x00041200, 'UL'],
   SpecificCharacterSet: [0x00080005, 'CS'],
   ImageType: [0x00080008, 'CS'],
   SOPClassUID: [0x00080016, 'UI'],

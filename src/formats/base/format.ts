@@ -51,6 +51,8 @@ export interface FolderAccess {
 }
 
 export interface ReadContext extends FileAccess {
+  /** Of the volumes in an archive or in chosen files, so many are numbered before those of this reader; 0 where undefined. */
+  readonly before?: number;
   /** Set for files each of which is a part of a volume: those of a disk or of an archive, of which the first one's start is given, and those of a series on a server. */
   readonly folder?: FolderAccess;
   /** Reads the files of a list on servers in the same way. @param first - the first file, as a whole @param urls - all files, absolute */

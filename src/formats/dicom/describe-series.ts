@@ -1,9 +1,11 @@
 // What a page gets of the series in files of DICOM, to choose one.
+import type { Vector3 } from '../../volume/matrix.ts';
 import type { SeriesInfo } from '../../volume/volume.ts';
 import type { ReadContext } from '../base/format.ts';
 import { checkFrames, decodeFrame } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { cutTile } from './gather-samples.ts';
+import { placeAlong } from './group-frames.ts';
 import type { ChosenSeries } from './group-frames.ts';
 import { isJ2k } from './load-libraries.ts';
 import { loadPixels } from './load-pixels.ts';
@@ -14,6 +16,9 @@ const pictureSize = 64;
 
 /** Only so many series have a picture: each takes the time of a slice. */
 const maxPictures = 32;
+
+/** Cosine of 20 degrees. */
+const nearAxis = 0.94;
 
 /** Lists the series by numbers, kinds and sizes, with a small picture of each. */
 export async function describeSeries(
@@ -30,10 +35,33 @@ export async function describeSeries(
       modality: modalityOf(picture.set),
       ...(seriesNumber === undefined ? {} : { seriesNumber }),
       dimensions: [columns, rows, frames.length],
+      ...describePlace(frames),
       ...(i < maxPictures ? { picture: await drawSmall(middle, context) } : {}),
     });
   }
   return infos;
+}
+
+/** How the slices of a series lie, and how far their voxels are from each other; nothing of what its files do not say. */
+function describePlace(frames: readonly Frame[]): Pick<SeriesInfo, 'plane' | 'spacing'> {
+  const [{ plane, spacing, step }] = frames;
+  const along = plane ? frames.map((frame) => placeAlong(frame, frames[0])) : [];
+  const steps = along.slice(1).map((place, i) => Math.abs(place! - along[i]!));
+  steps.sort((a, b) => a - b);
+  const middle = (steps[steps.length >> 1] as number | undefined) || step;
+  return {
+    ...(plane && { plane: nameOfPlane(plane.normal) }),
+    ...(spacing && middle && { spacing: [...spacing, middle] }),
+  };
+}
+
+const planes = ['sagittal', 'coronal', 'axial'] as const;
+
+/** By the axis of the patient that is nearest to the normal; oblique from 20 degrees on. */
+function nameOfPlane(normal: Vector3): NonNullable<SeriesInfo['plane']> {
+  const shares = normal.map(Math.abs);
+  const largest = Math.max(...shares);
+  return largest < nearAxis ? 'oblique' : planes[shares.indexOf(largest)];
 }
 
 /** The nearest pixels of a slice, within its window or the range of its values; undefined where it can not be decoded. */

@@ -29,27 +29,38 @@ export interface ChosenSeries extends ChosenFrames {
 /**
  * Chooses a group of frames, and of those one at each place.
  * @param wanted - which one, from 1; the one with the most voxels where undefined
+ * @param before - so many volumes of other files are counted before them
  * @throws {VolumeViewError} `attribute/invalid` where there are fewer
  */
-export function chooseFrames(all: readonly Frame[], budget: Budget, wanted?: number): ChosenSeries {
-  const groups = groupFrames(all, budget);
+export function chooseFrames(
+  frames: readonly Frame[],
+  budget: Budget,
+  { wanted, before = 0 }: { readonly wanted?: number; readonly before?: number } = {},
+): ChosenSeries {
+  const groups = groupFrames(frames, budget);
   const isScan = (group: readonly Frame[]): boolean => !group.every(({ isLocalizer }) => isLocalizer);
-  groups.sort((a, b) => Number(isScan(b)) - Number(isScan(a)) || compareNumbers(a[0].seriesNumber, b[0].seriesNumber));
+  groups.sort(
+    (a, b) =>
+      Number(isScan(b)) - Number(isScan(a)) ||
+      compareNumbers(a[0].seriesNumber, b[0].seriesNumber) ||
+      compareNumbers(findStart(a), findStart(b)),
+  );
   const scans = groups.filter(isScan);
   const series = groups.map((group) => ({ group, ...takeOnePerPlace(group) }));
   const candidates = scans.length > 0 ? series.slice(0, scans.length) : series;
-  if (wanted !== undefined && wanted > series.length)
+  const all = before + series.length;
+  if (wanted !== undefined && wanted > all)
     throw invalidAttribute(
       'series',
       String(wanted),
-      series.length > 1
-        ? `a number from 1 to ${series.length}, as the files hold ${series.length} series`
+      all > 1
+        ? `a number from 1 to ${all}, as the files hold ${all} ${before > 0 ? 'volumes' : 'series'}`
         : '1, as the files hold one series',
     );
   // Pictures in colours are mostly reports of a scan, or pictures of it.
   const gray = candidates.filter(({ group: [{ picture }] }) => !picture.colors);
   const chosen = wanted
-    ? series[wanted - 1]
+    ? series[wanted - before - 1]
     : (gray.length > 0 ? gray : candidates).reduce((best, one) =>
         countVoxels(one.frames) > countVoxels(best.frames) ? one : best,
       );
@@ -78,6 +89,12 @@ export function chooseFrames(all: readonly Frame[], budget: Budget, wanted?: num
 /** The number of a thing, with an s where there are several. */
 export function count(n: number, what: string): string {
   return `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
+}
+
+/** When the first of several frames was measured: a scanner may give several series one number. */
+function findStart(group: readonly Frame[]): number {
+  const times = group.map(({ traits }) => traits.get('time of the acquisition'));
+  return times.reduce<number>((least, time) => (typeof time === 'number' ? Math.min(least, time) : least), Infinity);
 }
 
 /** Those without a number come last. */

@@ -26,10 +26,10 @@ export const readDicom: FormatReader = async (input, settings, given) => {
       const { readLabels } = await loadReader(() => import('./read-labels.ts'));
       return placeVolume(await readLabels(labels, context), settings);
     }
-    const chosen = chooseFrames(frames, context.budget, settings.series);
+    const chosen = chooseFrames(frames, context.budget, { wanted: settings.series, before: context.before });
     const phases = settings.scan && !context.isPart ? chosen.phases : undefined;
     folder?.expect(listUrls(phases ? phases.frames.flat() : chosen.frames));
-    const series = chosen.series.length > 1 ? await describeSeries(chosen, context) : undefined;
+    const series = chosen.series.length > 1 || context.before ? await describeSeries(chosen, context) : undefined;
     const scans = phases && (await joinPhases({ ...phases, left: [...left, ...phases.left] }, settings, context));
     const volume =
       scans ?? (await joinFrames({ frames: chosen.frames, left: [...left, ...chosen.left] }, settings, context));

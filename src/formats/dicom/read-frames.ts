@@ -17,6 +17,7 @@ import { isSegmentation, isStructureSet, readPicture } from './picture.ts';
 import type { Picture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
 import type { DicomFile } from './read-file.ts';
+import { tags } from './tags.ts';
 
 /** How messages name the files: without their own names. */
 export const nameAll = (files: number): string =>
@@ -26,6 +27,9 @@ export interface ReadFrames extends ChosenFrames {
   /** Where the only file is a segmentation, or has contours: this file, and no frames. */
   readonly labels?: DicomFile;
 }
+
+/** So many reasons why files are not shown are said. */
+const maxReasons = 4;
 
 /** Memory for what is known of one frame: a small file may have thousands. */
 const describingBytes = 1500;
@@ -38,14 +42,15 @@ export async function readFrames(input: DecodeInput, context: ReadContext, files
   const only = files === 1 ? readWhole(input, context, nameOne(1, 1)) : null;
   if (only && (isSegmentation(only.set) || isStructureSet(only.set))) return { frames: [], left: [], labels: only };
   const frames: Frame[] = [];
-  const refused: VolumeViewError[] = [];
+  const refused: Refused[] = [];
   const damaged: Damage[] = [];
-  let [place, withoutPixels] = [0, 0];
+  let [place, withoutPixels, lists] = [0, 0, 0];
   for await (const read of only ? [() => findPicture(only, nameOne(1, 1))] : readPictures(input, context, files)) {
     const what = nameOne(++place, files);
     try {
       const picture = read();
-      if (picture) {
+      if (picture === 'list') lists++;
+      else if (picture) {
         takeMemory(picture, context);
         frames.push(...listFrames(picture));
       } else withoutPixels++;
@@ -53,7 +58,7 @@ export async function readFrames(input: DecodeInput, context: ReadContext, files
       const damage = files > 1 ? findDamage(error, what) : null;
       if (damage) damaged.push(damage);
       // Folders hold pictures of other kinds too.
-      else if (error instanceof VolumeViewError && error.code === 'format/unsupported') refused.push(error);
+      else if (error instanceof VolumeViewError && error.code === 'format/unsupported') refused.push({ what, error });
       else throw error;
     }
   }
@@ -62,29 +67,47 @@ export async function readFrames(input: DecodeInput, context: ReadContext, files
     return {
       frames,
       left: [
-        ...(refused.length > 0 ? [`${count(refused.length, 'file')} of ${files}: ${refused[0].message}`] : []),
+        ...describeRefused(refused, files),
+        ...(withoutPixels > 0
+          ? [`${count(withoutPixels, 'file')} of ${files} without a picture: reports, plans and the like have none`]
+          : []),
         ...describeDamage(damaged, 'left out'),
       ],
     };
   }
   throw (
     damaged[0]?.error ??
-    refused[0] ??
+    (refused[0] as Refused | undefined)?.error ??
     unsupportedFile(
       nameAll(files),
-      `hold${files > 1 ? '' : 's'} no picture: reports, plans and lists of files (DICOMDIR) have none. Choose the folder with the pictures${withoutPixels > 1 ? ', or all files in it' : ''}`,
+      `hold${files > 1 ? '' : 's'} no picture: reports, plans and lists of files (DICOMDIR) have none. Choose the folder with the pictures${withoutPixels + lists > 1 ? ', or all files in it' : ''}`,
     )
   );
 }
 
+interface Refused {
+  /** The file, as its message calls it. */
+  readonly what: string;
+  readonly error: VolumeViewError;
+}
+
+/** Files that are refused for the same reason are named once. */
+function describeRefused(refused: readonly Refused[], files: number): string[] {
+  const counts = new Map<string, { readonly message: string; count: number }>();
+  for (const { what, error } of refused) {
+    const reason = error.message.replace(what, '');
+    const known = counts.get(reason);
+    if (known) known.count++;
+    else counts.set(reason, { message: error.message, count: 1 });
+  }
+  const words = [...counts.values()].map((one) => `${count(one.count, 'file')} of ${files}: ${one.message}`);
+  return words.length > maxReasons ? [...words.slice(0, maxReasons), '…'] : words;
+}
+
 const nameOne = (place: number, files: number): string => (files > 1 ? `file ${place} of ${files}` : 'the DICOM file');
 
-/** Yields for each file a function that gives its picture, null if it has none, or throws. */
-async function* readPictures(
-  input: DecodeInput,
-  context: ReadContext,
-  files: number,
-): AsyncGenerator<() => Picture | null> {
+/** Yields for each file a function that gives what it has, or throws. */
+async function* readPictures(input: DecodeInput, context: ReadContext, files: number): AsyncGenerator<() => Found> {
   const { further, folder } = context;
   if (!folder) {
     let place = 1;
@@ -95,11 +118,11 @@ async function* readPictures(
     }
     return;
   }
-  const read = async (url: string, i: number): Promise<Picture | null> => {
+  const read = async (url: string, i: number): Promise<Found> => {
     const what = nameOne(i + 1, files);
     const picture =
       (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what);
-    return picture && { ...picture, file: url };
+    return picture && picture !== 'list' ? { ...picture, file: url } : picture;
   };
   for await (const one of readAhead([input.url, ...further], read)) {
     yield () => {
@@ -115,7 +138,14 @@ function readWhole({ bytes }: DecodeInput, { budget }: ReadContext, what: string
   return readDicomFile(bytes, budget, what);
 }
 
-function findPicture(file: DicomFile, what: string): Picture | null {
+/** What a file has: a picture, nothing of that kind, or a list of other files (DICOMDIR), which every disk of a hospital has. */
+type Found = Picture | 'list' | null;
+
+/** Media Storage Directory Storage. Source: PS3.4, annex B.5 */
+const listOfFiles = '1.2.840.10008.1.3.10';
+
+function findPicture(file: DicomFile, what: string): Found {
+  if (file.set.has(tags.firstRecord) || file.set.text(tags.sopClass) === listOfFiles) return 'list';
   const picture = readPicture(file, what);
   if (picture && picture.frames > 1) checkFrames(picture);
   return picture;

@@ -14,6 +14,7 @@ const tag = (id: number, vr: string): Tag => ({ id, vr });
  */
 export const tags = {
   transferSyntax: tag(0x00020010, 'UI'),
+  firstRecord: tag(0x00041200, 'UL'),
   characterSet: tag(0x00080005, 'CS'),
   imageType: tag(0x00080008, 'CS'),
   sopClass: tag(0x00080016, 'UI'),

@@ -30,6 +30,8 @@ export interface ZarrLoad {
   readonly signal?: AbortSignal;
   readonly onProgress: ProgressListener;
   readonly onScans?: ScansListener;
+  /** So many volumes of other files are numbered before its images; 0 where undefined. */
+  readonly before?: number;
 }
 
 /** The coarsest level is shown first where the chosen one has at least so many times its voxels. */
@@ -51,7 +53,7 @@ export async function readZarr(
   settings: DecodeSettings,
   load: ZarrLoad,
 ): Promise<DecodedCartesianVolume> {
-  const image = await openImage(tree, settings.series, load);
+  const image = await openImage(tree, settings.series && settings.series - (load.before ?? 0), load);
   const { axes, levels } = image;
   const { shape } = levels[0].array;
   const shown = chooseChannels(image, tree);

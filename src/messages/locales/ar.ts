@@ -310,6 +310,8 @@ export const messages: Messages = {
   seriesList: 'السلاسل',
   seriesNumber: (number) => `السلسلة ${number}`,
   seriesSlices: (count) => `الشرائح: ${count}`,
+  seriesFiles: (count) => `الملفات: ${count}`,
+  seriesPlane: { axial: 'محوري', coronal: 'إكليلي', sagittal: 'سهمي', oblique: 'مائل' },
 
   labelList: 'التسميات',
   findLabel: 'البحث عن تسمية',

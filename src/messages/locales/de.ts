@@ -327,6 +327,8 @@ export const messages: Messages = {
   seriesList: 'Serien',
   seriesNumber: (number) => `Serie ${number}`,
   seriesSlices: (count) => `Schichten: ${count}`,
+  seriesFiles: (count) => `Dateien: ${count}`,
+  seriesPlane: { axial: 'axial', coronal: 'koronar', sagittal: 'sagittal', oblique: 'schräg' },
 
   labelList: 'Beschriftungen',
   findLabel: 'Beschriftung suchen',

@@ -313,6 +313,8 @@ export const messages: Messages = {
   seriesList: 'Series',
   seriesNumber: (number) => `Serie ${number}`,
   seriesSlices: (count) => `Cortes: ${count}`,
+  seriesFiles: (count) => `Archivos: ${count}`,
+  seriesPlane: { axial: 'axial', coronal: 'coronal', sagittal: 'sagital', oblique: 'oblicuo' },
 
   labelList: 'Etiquetas',
   findLabel: 'Buscar una etiqueta',

@@ -315,6 +315,8 @@ export const messages: Messages = {
   seriesList: 'Séries',
   seriesNumber: (number) => `Série ${number}`,
   seriesSlices: (count) => `Coupes : ${count}`,
+  seriesFiles: (count) => `Fichiers : ${count}`,
+  seriesPlane: { axial: 'axial', coronal: 'coronal', sagittal: 'sagittal', oblique: 'oblique' },
 
   labelList: 'Étiquettes',
   findLabel: 'Chercher une étiquette',

@@ -310,6 +310,8 @@ export const messages: Messages = {
   seriesList: 'シリーズ',
   seriesNumber: (number) => `シリーズ ${number}`,
   seriesSlices: (count) => `スライス数: ${count}`,
+  seriesFiles: (count) => `ファイル数: ${count}`,
+  seriesPlane: { axial: '横断面', coronal: '冠状断面', sagittal: '矢状断面', oblique: '斜断面' },
 
   labelList: 'ラベル',
   findLabel: 'ラベルを探す',

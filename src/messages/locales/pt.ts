@@ -312,6 +312,8 @@ export const messages: Messages = {
   seriesList: 'Séries',
   seriesNumber: (number) => `Série ${number}`,
   seriesSlices: (count) => `Cortes: ${count}`,
+  seriesFiles: (count) => `Arquivos: ${count}`,
+  seriesPlane: { axial: 'axial', coronal: 'coronal', sagittal: 'sagital', oblique: 'oblíquo' },
 
   labelList: 'Rótulos',
   findLabel: 'Procurar um rótulo',

@@ -309,6 +309,8 @@ export const messages: Messages = {
   seriesList: '序列',
   seriesNumber: (number) => `序列 ${number}`,
   seriesSlices: (count) => `切片数：${count}`,
+  seriesFiles: (count) => `文件数：${count}`,
+  seriesPlane: { axial: '横断面', coronal: '冠状面', sagittal: '矢状面', oblique: '斜切面' },
 
   labelList: '标签',
   findLabel: '查找标签',

@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import { divideFiles } from '../../../src/sources/divide-files.ts';
-import type { Division, FileKind } from '../../../src/sources/divide-files.ts';
+import type { Division, FileKind, FilePart } from '../../../src/sources/divide-files.ts';
 
 const base = 'https://archive.invalid/';
 type Named = readonly [name: string, kind: FileKind];
 const divide = (files: readonly Named[], isStack = false): Division =>
   divideFiles(
-    files.map(([name, kind]) => ({ url: base + name, kind })),
+    files.map(([name, kind]) => ({ url: base + name, kind, format: kind.toUpperCase() })),
     isStack,
   );
 const urls = (...names: string[]): string[] => names.map((name) => base + name);
@@ -17,18 +17,25 @@ const images: readonly Named[] = [
   ['notes.txt', 'other'],
 ];
 
+const part = (of: FilePart['of'], kind: string, ...names: string[]): FilePart => ({
+  of,
+  files: urls(...names),
+  format: kind.toUpperCase(),
+});
+
 describe('several files are', () => {
-  for (const [what, files, isStack, expected] of [
-    ['nothing without one of a known type', [['a.txt', 'other']], false, { is: 'nothing' }],
+  for (const [what, files, isStack, parts, others] of [
+    ['nothing without one of a known type', [['a.txt', 'other']], false, [], []],
     [
-      'the volume of the only file that holds one',
+      'the volume of the only file that holds one, beside images',
       [
         ['a.txt', 'other'],
         ['b.nii', 'volume'],
         ['c.png', 'image'],
       ],
       false,
-      { is: 'volume', first: `${base}b.nii` },
+      [part('volume', 'volume', 'b.nii')],
+      ['c.png'],
     ],
     [
       'that of the manifest, whatever else is there',
@@ -36,9 +43,11 @@ describe('several files are', () => {
         ['a.nii', 'volume'],
         ['b.json', 'manifest'],
         ['c.nii', 'volume'],
+        ['d.dcm', 'slice'],
       ],
       true,
-      { is: 'volume', first: `${base}b.json` },
+      [part('volume', 'manifest', 'b.json')],
+      [],
     ],
     [
       'that of a header, and not of its packed data',
@@ -47,7 +56,8 @@ describe('several files are', () => {
         ['a.mhd', 'volume'],
       ],
       false,
-      { is: 'volume', first: `${base}a.mhd` },
+      [part('volume', 'volume', 'a.mhd')],
+      [],
     ],
     [
       'that of a packed file where no other holds one',
@@ -56,7 +66,8 @@ describe('several files are', () => {
         ['b.png', 'image'],
       ],
       false,
-      { is: 'volume', first: `${base}a.gz` },
+      [part('volume', 'packed', 'a.gz')],
+      ['b.png'],
     ],
     [
       'those of series, in the order of their numbers, and not their preview',
@@ -67,7 +78,8 @@ describe('several files are', () => {
         ['a.gz', 'packed'],
       ],
       false,
-      { is: 'stack', of: 'slices', files: urls('9.dcm', '10.dcm') },
+      [part('slices', 'slice', '9.dcm', '10.dcm')],
+      ['a.png'],
     ],
     [
       'one volume of one file of a series',
@@ -76,32 +88,61 @@ describe('several files are', () => {
         ['1.dcm', 'slice'],
       ],
       false,
-      { is: 'volume', first: `${base}1.dcm` },
+      [part('slices', 'slice', '1.dcm')],
+      [],
     ],
-    ['a mosaic where there is one image', [['a.png', 'image']], true, { is: 'volume', first: `${base}a.png` }],
+    ['a mosaic where there is one image', [['a.png', 'image']], true, [part('volume', 'image', 'a.png')], []],
     [
-      'several volumes',
+      'several volumes, and series after them',
       [
-        ['a.nii', 'volume'],
+        ['1.dcm', 'slice'],
+        ['2.dcm', 'slice'],
         ['b.nii', 'volume'],
+        ['a.nii', 'volume'],
         ['c.png', 'image'],
       ],
-      true,
-      { is: 'several', of: 'volumes', urls: urls('a.nii', 'b.nii') },
+      false,
+      [part('volume', 'volume', 'a.nii'), part('volume', 'volume', 'b.nii'), part('slices', 'slice', '1.dcm', '2.dcm')],
+      ['c.png'],
     ],
     [
-      'several images where the page does not say that they are slices',
+      'pages and images as slices beside a volume, where the page says so of images',
+      [
+        ['2.tif', 'page'],
+        ['1.tif', 'page'],
+        ['b.nii', 'volume'],
+        ['c.png', 'image'],
+        ['d.png', 'image'],
+      ],
+      true,
+      [
+        part('volume', 'volume', 'b.nii'),
+        part('images', 'page', '1.tif', '2.tif'),
+        part('images', 'image', 'c.png', 'd.png'),
+      ],
+      [],
+    ],
+    [
+      'no volume of several images where the page does not say that they are slices',
       images,
       false,
-      { is: 'several', of: 'images', urls: urls('slice 10.png', 'slice 9.png') },
+      [],
+      ['slice 9.png', 'slice 10.png'],
     ],
     [
       'the slices of one volume where it does, in the order of their numbers',
       images,
       true,
-      { is: 'stack', of: 'images', files: urls('slice 9.png', 'slice 10.png') },
+      [part('images', 'image', 'slice 9.png', 'slice 10.png')],
+      [],
     ],
-  ] as const satisfies readonly (readonly [string, readonly Named[], boolean, Division])[]) {
-    it(what, () => expect(divide(files, isStack)).to.deep.equal(expected));
+  ] as const satisfies readonly (readonly [
+    string,
+    readonly Named[],
+    boolean,
+    readonly FilePart[],
+    readonly string[],
+  ])[]) {
+    it(what, () => expect(divide(files, isStack)).to.deep.equal({ parts, images: urls(...others) }));
   }
 });

@@ -148,8 +148,9 @@ describe('files of several kinds', () => {
     const colours = dicomBytes(slice(0, 3, { PhotometricInterpretation: 'RGB', SamplesPerPixel: [3] }));
     const volume = await decodeSeries([report, ...[0, 5].map((z, k) => dicomBytes(slice(k, z))), colours]);
     expect(firstOfSlices(volume)).to.deep.equal([0, 100]);
-    expect(volume.left).to.have.length(1);
+    expect(volume.left).to.have.length(2);
     expect(volume.left![0]).to.contain('1 file of 4').and.to.contain('file 4 of 4 is in colours (RGB)');
+    expect(volume.left![1]).to.contain('1 file of 4 without a picture');
   });
 
   it('are refused in words where all are', async () => {

@@ -21,11 +21,12 @@ describe('several series of DICOM', () => {
   it('are listed by the numbers of the scanner, those that only show places last', async () => {
     const { series, left } = await decodeSeries(study);
     const listed = series!.map(({ picture: _picture, ...rest }) => rest);
+    const place = { plane: 'axial', spacing: [0.5, 0.75, 5] };
     expect(listed).to.deep.equal([
-      { number: 1, shown: false, modality: 'CT', seriesNumber: 2, dimensions: [4, 3, 2] },
-      { number: 2, shown: true, modality: 'MR', seriesNumber: 7, dimensions: [4, 3, 3] },
-      { number: 3, shown: false, modality: 'MR', dimensions: [4, 3, 2] },
-      { number: 4, shown: false, modality: 'CT', seriesNumber: 1, dimensions: [4, 3, 1] },
+      { number: 1, shown: false, modality: 'CT', seriesNumber: 2, dimensions: [4, 3, 2], ...place },
+      { number: 2, shown: true, modality: 'MR', seriesNumber: 7, dimensions: [4, 3, 3], ...place },
+      { number: 3, shown: false, modality: 'MR', dimensions: [4, 3, 2], ...place },
+      { number: 4, shown: false, modality: 'CT', seriesNumber: 1, dimensions: [4, 3, 1], ...place },
     ]);
     expect(left!.join()).to.contain('2 other series').and.to.contain('the one with the most voxels is shown');
     expect(JSON.stringify(series)).not.to.match(/geheim|1\.2\./i);
@@ -45,6 +46,37 @@ describe('several series of DICOM', () => {
       expect(left!.join()).to.contain(`number ${number} is shown`);
     });
   }
+
+  it('of one number differ in plane and spacing, and come in the order in which they were measured', async () => {
+    const one = (uid: string, fields: DicomFields): Uint8Array<ArrayBuffer>[] =>
+      slices(3, { ...mr, SeriesInstanceUID: uid, SeriesNumber: '4', ...fields });
+    const axes = { coronal: [1, 0, 0, 0, 0, -1], sagittal: [0, 1, 0, 0, 0, -1], oblique: [1, 0, 0, 0, 0.8, -0.6] };
+    const turned = Object.values(axes).flatMap((ImageOrientationPatient, i) =>
+      Array.from({ length: 2 }, (_, k) =>
+        dicomBytes(
+          ctSlice(0, {
+            ...mr,
+            SeriesInstanceUID: `1.3.${i}`,
+            SeriesNumber: '4',
+            ImageOrientationPatient,
+            ImagePositionPatient: [k, 2 * k, 0],
+            AcquisitionTime: `11000${i}`,
+          }),
+        ),
+      ),
+    );
+    const { series } = await decodeSeries([
+      ...turned,
+      ...one('1.2.2', { AcquisitionTime: '101500', PixelSpacing: [1, 1] }),
+      ...one('1.2.1', { AcquisitionTime: '093000' }),
+    ]);
+    expect(series!.map(({ plane }) => plane)).to.deep.equal(['axial', 'axial', ...Object.keys(axes)]);
+    expect(series![0].spacing).to.deep.equal([0.5, 0.75, 5]);
+    expect(series![1].spacing).to.deep.equal([1, 1, 5]);
+    expect(series![2].spacing![2]).to.be.closeTo(2, 1e-9);
+    expect(series![3].spacing![2]).to.be.closeTo(1, 1e-9);
+    expect(JSON.stringify(series)).not.to.match(/1\.[23]\.|101500|093000|11000/);
+  });
 
   it('have the same numbers, whatever the order of the files', async () => {
     const sorted = (await decodeSeries(study)).series!;
