@@ -1,7 +1,7 @@
 // The studio as a teacher uses it, with pointer and keys: from a folder of DICOM to a lesson in a course.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import type { Page } from '@playwright/test';
+import type { Download, Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { dicomHead, dicomSecret } from '../helpers/dicom-head.ts';
@@ -172,11 +172,28 @@ test('from a folder of DICOM to a lesson of five steps and two questions, played
   await dialog.getByRole('textbox', { name: 'Title of the lesson' }).fill('The skull');
   await dialog.getByRole('textbox', { name: 'Who made the data' }).fill('Made by a program');
   await dialog.getByRole('textbox', { name: 'Licence of the data' }).fill('CC0 1.0');
-  await page.getByRole('radio', { name: /SCORM 1\.2/ }).check();
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Download' }).click(),
-  ]);
+  const take = async (kind: RegExp): Promise<Download> => {
+    await page.getByRole('radio', { name: kind }).check();
+    if (kind.source.includes('sites'))
+      await dialog.getByRole('textbox', { name: 'Address' }).fill('https://example.org/skull/');
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Download' }).click(),
+    ]);
+    return file;
+  };
+  const single = await take(/One file/);
+  expect(single.suggestedFilename()).toBe('the-skull.html');
+  const embed = await take(/For other sites/);
+  expect(embed.suggestedFilename()).toBe('the-skull-embed.zip');
+  const folder = unzipSync(new Uint8Array(readFileSync(await embed.path())));
+  expect(JSON.parse(new TextDecoder().decode(folder['oembed.json']))).toMatchObject({
+    thumbnail_url: 'https://example.org/skull/data/poster.webp',
+    thumbnail_width: 800,
+    thumbnail_height: 600,
+  });
+  writeFileSync(test.info().outputPath('poster.webp'), folder['data/poster.webp']);
+  const download = await take(/SCORM 1\.2/);
   expect(download.suggestedFilename()).toBe('the-skull-scorm.zip');
   const packed = await download.path();
   const files = unzipSync(new Uint8Array(readFileSync(packed)));
@@ -184,7 +201,11 @@ test('from a folder of DICOM to a lesson of five steps and two questions, played
   // No name, date or identifier of the DICOM files is in the package, or in what the browser keeps.
   const texts = [
     await keptTexts(page),
-    ...Object.entries(files).flatMap(([path, bytes]) => [path, Buffer.from(bytes).toString('latin1')]),
+    readFileSync(await single.path(), 'latin1'),
+    ...[...Object.entries(files), ...Object.entries(folder)].flatMap(([path, bytes]) => [
+      path,
+      Buffer.from(bytes).toString('latin1'),
+    ]),
   ];
   expect(texts.filter((text) => /Geheim|1\.2\.840\.99999|19870605/.test(text))).toEqual([]);
   expect(texts[0]).toContain('How dense is bone?');

@@ -1,7 +1,12 @@
 // Writes the files that an author takes away, and opens them again.
 import { unzipSync, zipSync } from 'fflate';
 import type { Zippable } from 'fflate';
-import { writePageFiles, writeScormFiles } from '../../../lesson-writers/src/index.ts';
+import {
+  writeEmbedFiles,
+  writePageFiles,
+  writeScormFiles,
+  writeSingleFile,
+} from '../../../lesson-writers/src/index.ts';
 import type { Lesson as WrittenLesson, LessonFile } from '../../../lesson-writers/src/index.ts';
 import type { Lesson } from '../model/lesson.ts';
 import { readLessonHtml } from '../model/read-lesson.ts';
@@ -10,31 +15,55 @@ import { loadPart } from './parts.ts';
 import { newDataId } from './prepare.ts';
 import type { LessonData } from './prepare.ts';
 
-export type ExportKind = 'page' | 'scorm' | 'scorm-2004';
+export type ExportKind = 'page' | 'single-file' | 'embed' | 'scorm' | 'scorm-2004';
 
-/** The lesson as the writers take it. */
-export function toWritten(lesson: Lesson, data: LessonData): WrittenLesson {
-  const { title, language, licence, credits } = lesson;
-  return { html: writeLessonHtml(lesson, data.files[0].path), files: data.files, title, language, licence, credits };
+export interface ExportOptions {
+  readonly kind: ExportKind;
+  /** Percent of the questions to pass a course; null for none. */
+  readonly pass: number | null;
+  /** Where a folder for frames will be. */
+  readonly address: string;
+  /** The picture that a folder for frames shows first; null for none. */
+  readonly poster: LessonFile | null;
 }
 
-/**
- * @param pass - percent of the questions to pass; null for none
- * @throws {LessonError} where the writers refuse something
- */
-export async function exportLesson(
+/** The lesson as the writers take it. */
+export function toWritten(lesson: Lesson, data: LessonData, poster: LessonFile | null = null): WrittenLesson {
+  const { title, language, licence, credits } = lesson;
+  const html = writeLessonHtml(lesson, data.files[0].path, poster?.path);
+  return { html, files: [...data.files, ...(poster ? [poster] : [])], title, language, licence, credits };
+}
+
+/** How the name of a file ends that an author takes away. */
+export const endingOf = (kind: ExportKind): string =>
+  kind === 'page' ? '.zip' : kind === 'single-file' ? '.html' : `-${kind}.zip`;
+
+/** @throws {LessonError} where the writers refuse something */
+export async function exportLesson(lesson: Lesson, data: LessonData, options: ExportOptions): Promise<Uint8Array> {
+  const player = Object.entries(unzipSync(await loadPart('player'))).map(([path, bytes]) => ({ path, bytes }));
+  return writeLesson(lesson, data, player, options);
+}
+
+/** The bytes of the file that an author takes away: a page, or a ZIP archive. @throws {LessonError} */
+export function writeLesson(
   lesson: Lesson,
   data: LessonData,
-  kind: ExportKind,
-  pass: number | null,
-): Promise<Uint8Array> {
-  const player = Object.entries(unzipSync(await loadPart('player'))).map(([path, bytes]) => ({ path, bytes }));
-  const written = toWritten(lesson, data);
-  const files =
-    kind === 'page'
-      ? writePageFiles(written, player)
-      : writeScormFiles(written, player, { version: kind === 'scorm' ? '1.2' : '2004', pass });
-  return zipFiles(files);
+  player: readonly LessonFile[],
+  { kind, pass, address, poster }: ExportOptions,
+): Uint8Array {
+  switch (kind) {
+    case 'page':
+      return zipFiles(writePageFiles(toWritten(lesson, data), player));
+    case 'single-file':
+      return writeSingleFile(toWritten(lesson, data), player)[0].bytes;
+    case 'embed':
+      return zipFiles(writeEmbedFiles(toWritten(lesson, data, poster), player, { address }));
+    case 'scorm':
+    case 'scorm-2004':
+      return zipFiles(
+        writeScormFiles(toWritten(lesson, data), player, { version: kind === 'scorm' ? '1.2' : '2004', pass }),
+      );
+  }
 }
 
 /** A fixed time, so that the same lesson always gives the same bytes. ZIP knows no time zones and no earlier year. */
@@ -43,7 +72,7 @@ const zipTime = new Date(1980, 0, 2);
 function zipFiles(files: readonly LessonFile[]): Uint8Array {
   const entries: Zippable = {};
   for (const { path, bytes } of files)
-    entries[path] = [bytes, { level: /\.(?:gz|png)$/i.test(path) ? 0 : 6, mtime: zipTime }];
+    entries[path] = [bytes, { level: /\.(?:gz|png|webp)$/i.test(path) ? 0 : 6, mtime: zipTime }];
   return zipSync(entries);
 }
 
@@ -92,6 +121,14 @@ async function readDataUrl(address: string): Promise<LessonData | null> {
   }
 }
 
+/** The name of a poster among the files of a lesson: it is drawn again for each folder. */
+export const posterName = (type: string): string => (type === 'image/webp' ? 'poster.webp' : 'poster.png');
+
+const isPoster = (name: string): boolean => /^poster\.(?:webp|png)$/.test(name);
+
+/** The script of a package for a course: it is written again. */
+const courseScript = /<script src="course\.js"[^>]*><\/script>/;
+
 function openPackage(bytes: Uint8Array): OpenedLesson | null {
   let files: Record<string, Uint8Array>;
   let total = 0;
@@ -104,10 +141,12 @@ function openPackage(bytes: Uint8Array): OpenedLesson | null {
     return null; // It is damaged, or no archive.
   }
   const page = files['index.html'];
-  const read = page && readLessonHtml(new TextDecoder().decode(page));
+  const read = page && readLessonHtml(new TextDecoder().decode(page).replace(courseScript, ''));
   if (!read) return null;
   const first = decodeURIComponent(read.src).replace(/#.*$/, '');
-  const names = Object.keys(files).filter((name) => name.startsWith('data/') && name !== first);
+  const names = Object.keys(files).filter(
+    (name) => name.startsWith('data/') && name !== first && !isPoster(name.replace('data/', '')),
+  );
   const data: LessonData | null = files[first]
     ? {
         id: newDataId(),

@@ -5,12 +5,16 @@ import type { Lesson, Note, Question, Step, ViewAttributes } from './lesson.ts';
 /** The id of the view in what is written. */
 export const viewId = 'volume';
 
-/** What stands between the tags of the body. @param src - of the volume, from the page */
-export function writeLessonHtml(lesson: Lesson, src: string): string {
+/**
+ * What stands between the tags of the body.
+ * @param src - of the volume, from the page
+ * @param poster - of the picture that is shown first
+ */
+export function writeLessonHtml(lesson: Lesson, src: string, poster?: string): string {
   const { title, alt, notes, steps } = lesson;
   const base = baseView(lesson);
   const { slice, ...own } = base;
-  const opening = attributesOf({ id: viewId, src, alt: alt || title, ...own });
+  const opening = attributesOf({ id: viewId, src, ...(poster ? { poster } : {}), alt: alt || title, ...own });
   const hasSlice = slice !== undefined || steps.some(({ view }) => view.slice !== undefined);
   const inside = [...notes.map(writeNote), ...(hasSlice ? [writeSlice(slice)] : [])];
   const view = `<volume-view${opening} controls controlslist="nocopy noembed nolink">${inside.map((line) => `\n  ${line}`).join('')}${inside.length > 0 ? '\n' : ''}</volume-view>`;

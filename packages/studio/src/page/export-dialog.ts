@@ -1,17 +1,22 @@
 // Takes the lesson away: as a file for a web server or a course, or as HTML to copy.
 import { html, nothing } from 'lit';
-import { exportLesson } from '../data/export-lesson.ts';
+import { largeFile } from '../../../lesson-writers/src/index.ts';
+import type { LessonFile } from '../../../lesson-writers/src/index.ts';
+import { endingOf, exportLesson, posterName } from '../data/export-lesson.ts';
 import type { ExportKind } from '../data/export-lesson.ts';
+import type { LessonData } from '../data/prepare.ts';
 import { findLacks } from '../model/check-lesson.ts';
 import type { Lack } from '../model/check-lesson.ts';
+import type { Lesson } from '../model/lesson.ts';
 import { writeLessonHtml } from '../model/write-lesson.ts';
 import { aboutField } from './about-panel.ts';
 import { textField } from './fields.ts';
 import { icon } from './icons.ts';
+import { drawPoster } from './painter.ts';
 import type { Studio, Tab } from './studio.ts';
 
 /** What the author chose, as long as the page is open. */
-const chosen = { kind: 'page' as ExportKind, pass: '', said: '', isBusy: false };
+const chosen = { kind: 'page' as ExportKind, pass: '', address: '', said: '', isBusy: false };
 
 export function renderExport(studio: Studio): unknown {
   const { words, lesson } = studio;
@@ -34,19 +39,7 @@ export function renderExport(studio: Studio): unknown {
           <span><b>${name}</b><br />${hint}</span></label>`,
       )}
     </fieldset>
-    ${
-      chosen.kind === 'page'
-        ? nothing
-        : textField({
-            id: 'export-pass',
-            label: words.pass,
-            value: chosen.pass,
-            onInput: (text) => {
-              chosen.pass = text;
-              studio.draw();
-            },
-          })
-    }
+    ${renderDetail(studio)}
     <div class="row">
       <button class="primary" id="download" ?disabled=${lacks.length > 0 || chosen.isBusy} @click=${() => void download(studio)}>${icon('take')} ${words.download}</button>
     </div>
@@ -59,6 +52,26 @@ export function renderExport(studio: Studio): unknown {
       <button @click=${() => studio.show({ dialog: null })}>${words.close}</button>
     </div>`;
 }
+
+/** What a format asks for in addition. */
+function renderDetail(studio: Studio): unknown {
+  const { words } = studio;
+  const field = (name: 'pass' | 'address', label: string, hint?: string): unknown =>
+    textField({
+      id: `export-${name}`,
+      label,
+      hint,
+      value: chosen[name],
+      onInput: (text) => {
+        chosen[name] = text;
+        studio.draw();
+      },
+    });
+  if (chosen.kind === 'embed') return field('address', words.address, words.addressHint);
+  return isCourse(chosen.kind) ? field('pass', words.pass) : nothing;
+}
+
+const isCourse = (kind: ExportKind): boolean => kind === 'scorm' || kind === 'scorm-2004';
 
 function renderLacks(studio: Studio, lacks: readonly Lack[]): unknown {
   const { words } = studio;
@@ -90,24 +103,34 @@ function goTo(studio: Studio, { kind, id }: Lack): void {
 async function download(studio: Studio): Promise<void> {
   const { words, lesson, data } = studio;
   const { kind, pass } = chosen;
+  const address = chosen.address.trim();
   const say = (said: string, isBusy = false): void => {
     Object.assign(chosen, { said, isBusy });
     studio.draw();
   };
-  const percent = kind === 'page' || pass.trim() === '' ? null : Number(pass);
+  const percent = !isCourse(kind) || pass.trim() === '' ? null : Number(pass);
   if (percent !== null && !(percent >= 1 && percent <= 100)) return say(words.passWrong);
+  if (kind === 'embed' && !/^https?:\/\/[^/\s?#@]+[^\s?#]*$/.test(address)) return say(words.addressWrong);
   if (!data) return say(words.lacks.data);
   say(words.exporting, true);
   // The words are shown before the work begins.
   await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
   try {
-    const bytes = await exportLesson(lesson, data, kind, percent);
-    const name = `${nameOf(lesson.title)}${kind === 'page' ? '' : `-${kind}`}.zip`;
+    const poster = kind === 'embed' ? await makePoster(lesson, data) : null;
+    const bytes = await exportLesson(lesson, data, { kind, pass: percent, address, poster });
+    const name = `${nameOf(lesson.title)}${endingOf(kind)}`;
     save(bytes, name);
-    say(words.exported(name, words.megabytes(bytes.length)));
+    const isLarge = kind === 'single-file' && bytes.length > largeFile;
+    say(`${words.exported(name, words.megabytes(bytes.length))}${isLarge ? ` ${words.exportedLarge}` : ''}`);
   } catch (error) {
     say(words.exportFailed(error instanceof Error ? error.message : ''));
   }
+}
+
+/** The picture of the first step. */
+async function makePoster(lesson: Lesson, data: LessonData): Promise<LessonFile | null> {
+  const picture = await drawPoster(lesson.steps[0]?.view ?? lesson.view, data);
+  return picture && { path: posterName(picture.type), bytes: new Uint8Array(await picture.arrayBuffer()) };
 }
 
 /** The name of a file that all systems take. */
@@ -121,7 +144,9 @@ const nameOf = (title: string): string =>
     .toLowerCase() || 'lesson';
 
 function save(bytes: Uint8Array, name: string): void {
-  const address = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'application/zip' }));
+  const address = URL.createObjectURL(
+    new Blob([bytes as Uint8Array<ArrayBuffer>], { type: name.endsWith('.html') ? 'text/html' : 'application/zip' }),
+  );
   const link = document.createElement('a');
   link.href = address;
   link.download = name;

@@ -92,6 +92,26 @@ function sortEntries(attributes: ViewAttributes): [string, string][] {
   return entries;
 }
 
+/** CSS pixels of a poster: as wide as most frames. */
+const posterSize = { width: 800, height: 600 } as const;
+
+/** The first picture of a lesson, as good as the view draws it. @returns null where the view refuses the attributes */
+export async function drawPoster(attributes: ViewAttributes, data: LessonData): Promise<Blob | null> {
+  const view = makeView(data);
+  view.removeAttribute('steps');
+  view.style.cssText = `inline-size:${posterSize.width}px;block-size:${posterSize.height}px`;
+  applyView(view, attributes, true);
+  try {
+    view.jumpCameraToGoal();
+    await view.whenRendered();
+    return await view.toBlob({ type: 'image/webp', ...posterSize });
+  } catch {
+    return null;
+  } finally {
+    view.remove();
+  }
+}
+
 function makeView(data: LessonData): View {
   const view = document.createElement('volume-view');
   view.className = 'painter';
