@@ -216,12 +216,13 @@ function copyPages() {
     copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
 }
 
-/** The page for iframes, and the script for the pages around them. */
+/** The page for iframes, the script for the pages around them, and that of the library for H5P. */
 async function buildEmbed() {
   const folder = join(projectRoot, 'packages/embed');
   for (const [entry, name] of [
     ['main.ts', 'embed.js'],
     ['parent.ts', 'embed-parent.js'],
+    ['h5p.ts', 'h5p.js'],
   ])
     writeFileSync(join(dist, name), escapeToAscii(await buildText(join(folder, 'src', entry), 'iife')));
   for (const name of ['embed.html', 'embed.css']) copyFileSync(join(folder, name), join(dist, name));

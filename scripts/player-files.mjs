@@ -6,5 +6,6 @@ export const playerFiles = [
   'classic',
   'embed.js',
   'embed.css',
+  'h5p.js',
   'THIRD-PARTY-LICENSES.txt',
 ];

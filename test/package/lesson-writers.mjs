@@ -100,7 +100,7 @@ await check('what is refused is said in words, with its line, and nothing is wri
       [],
       /got no title[^]*got no language[^]*got no licence[^]*got no credits/,
     ],
-    [body, ['--as', 'film'], /got --as film; expected page, single-file, embed, scorm, scorm-2004/],
+    [body, ['--as', 'film'], /got --as film; expected page, single-file, embed, scorm, scorm-2004, h5p/],
     [body, ['--as', 'scorm', '--pass', '0'], /got --pass 0; expected a whole number from 1 to 100/],
     [body, ['--pass', '50'], /expected it with --as scorm/],
     [

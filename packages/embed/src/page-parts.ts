@@ -31,7 +31,7 @@ export function showMessage(heading: string, text: string): void {
 let player: Promise<void> | null = null;
 
 /** The folder that the page's own script is in. */
-const folder = (document.currentScript as HTMLScriptElement).src;
+const folder = (document.currentScript as HTMLScriptElement | null)?.src;
 
 interface Policies {
   createPolicy(name: string, rules: Record<string, (text: string) => string>): Record<string, (text: string) => string>;
@@ -55,11 +55,20 @@ export function trust(text: string, kind: 'createScriptURL' | 'createHTML'): str
 
 /** Load the element: not before it is needed. */
 export function loadPlayer(): Promise<void> {
-  return (player ??= new Promise((resolve) => {
+  player ??= runScript(new URL('volume-view.iife.js', folder).href).catch(() =>
+    showMessage(english.nothing, english.playerFailed),
+  );
+  return player;
+}
+
+/** Run a script of this package. @param data - its data attributes. @returns rejects where it can't be loaded */
+export function runScript(address: string, data: Readonly<Record<string, string>> = {}): Promise<void> {
+  return new Promise((resolve, reject) => {
     const script = document.createElement('script');
-    script.src = trust(new URL('volume-view.iife.js', folder).href, 'createScriptURL');
+    script.src = trust(address, 'createScriptURL');
+    Object.assign(script.dataset, data);
     script.onload = () => resolve();
-    script.onerror = () => showMessage(english.nothing, english.playerFailed);
+    script.onerror = () => reject(new Error(`${address} could not be loaded`));
     document.head.append(script);
-  }));
+  });
 }

@@ -1,10 +1,7 @@
-import { fileAttributes } from '../../lesson-writers/src/allowed-html.ts';
-import { listAddresses } from '../../lesson-writers/src/check-lesson-html.ts';
-import type { LessonContent, LessonNode } from '../../lesson-writers/src/check-lesson-html.ts';
-import { readAddress } from '../../lesson-writers/src/lesson-paths.ts';
+import type { LessonContent } from '../../lesson-writers/src/check-lesson-html.ts';
+import { buildNode } from './build-node.ts';
 import { addProblems, addText, loadPlayer, showMessage } from './page-parts.ts';
 import { parseLesson } from './parse-lesson.ts';
-import { leftAttributes } from './view-attributes.ts';
 import { english } from './words.ts';
 
 /** Bytes of a lesson's page: it holds texts, and no data. */
@@ -27,7 +24,8 @@ export async function showLesson(address: string): Promise<void> {
     'embed-lesson.css',
     document.baseURI,
   ).href;
-  document.querySelector('main')!.append(...content.nodes.map((node) => build(node, read.url)));
+  const addressOf = (path: string): string => new URL(path.split('/').map(encodeURIComponent).join('/'), read.url).href;
+  document.querySelector('main')!.append(...content.nodes.map((node) => buildNode(node, addressOf)));
   applyHead(content);
   await loadPlayer();
 }
@@ -71,27 +69,3 @@ function applyHead({ head, nodes }: LessonContent): void {
   for (const text of [author, license]) if (text) addText('p', text, footer);
   document.querySelector('main')!.append(footer);
 }
-
-/** An element that was checked. @param url - of the lesson, from which its files count */
-function build(node: LessonNode, url: string): Node {
-  if (typeof node === 'string') return document.createTextNode(node);
-  const element = document.createElement(node.name);
-  for (const [name, value] of node.attributes) {
-    if (Object.hasOwn(leftAttributes, name) && node.name === 'volume-view') continue;
-    element.setAttribute(name, fileAttributes.includes(name) ? resolve(value, url) : value);
-    if (name === 'href' && !value.trim().startsWith('#')) {
-      element.setAttribute('target', '_blank');
-      element.setAttribute('rel', 'noopener noreferrer');
-    }
-  }
-  element.append(...node.children.map((child) => build(child, url)));
-  return element;
-}
-
-const resolve = (value: string, url: string): string =>
-  listAddresses(value)
-    .flatMap((address) => {
-      const file = readAddress(address);
-      return file ? [new URL(file.path.split('/').map(encodeURIComponent).join('/') + file.fragment, url).href] : [];
-    })
-    .join(' ');

@@ -143,6 +143,7 @@ class LessonReader implements LessonContent {
   #readElement(node: ParsedElement, depth: number): LessonElement {
     const attributes: [string, string][] = [];
     for (const { name, value } of node.attributes) {
+      if (node.name === 'a' && (name === 'rel' || name === 'target')) continue; // Each form of a lesson sets its own.
       if (!isAllowedAttribute(node.name, name)) this.#refuseAttribute(node, name);
       else if (name === 'href' && !isLink(value.trim()))
         this.refuse(`<a> got href="${short(value)}"; expected https://…, mailto:…, or #…`, node);

@@ -6,6 +6,7 @@ export type { LessonContent, LessonElement, LessonNode } from './check-lesson-ht
 export { escapeMarkup } from './write-html.ts';
 export { writeEmbedFiles } from './write-embed.ts';
 export type { EmbedOptions } from './write-embed.ts';
+export { writeH5pFiles } from './write-h5p.ts';
 export { writePageFiles } from './write-page.ts';
 export { largeFile, writeSingleFile } from './write-single-file.ts';
 export { writeScormFiles } from './write-scorm.ts';

@@ -54,7 +54,9 @@ export function writePageFiles(lesson: Lesson, player: Player, form: Partial<Pag
   return sortFiles([
     { path: 'index.html', bytes: encode(writePage(lesson, nodes, { ...folderForm, ...form })) },
     { path: 'lesson.css', bytes: encode(styles) },
-    ...player.filter(({ path }) => !isForFrames(path)).map(({ path, bytes }) => ({ path: playerFolder + path, bytes })),
+    ...player
+      .filter(({ path }) => !/^(?:embed|h5p)\./.test(path))
+      .map(({ path, bytes }) => ({ path: playerFolder + path, bytes })),
     ...lesson.files.map(({ path, bytes }) => ({ path: dataFolder + cleanPath(path), bytes })),
   ]);
 }
@@ -103,7 +105,6 @@ export function checkLesson(lesson: Lesson): readonly LessonNode[] {
 /** The page of a lesson, with its licence and credits below it. */
 export function writePage(lesson: Lesson, nodes: readonly LessonNode[], form: PageForm): string {
   const { title, language, licence, credits } = lesson;
-  const heading = nodes.some(hasHeading) ? '' : `<h1>${escapeMarkup(title)}</h1>\n`;
   return `<!doctype html>
 <html lang="${escapeMarkup(language)}">
 <head>
@@ -115,13 +116,19 @@ export function writePage(lesson: Lesson, nodes: readonly LessonNode[], form: Pa
 ${form.head}</head>
 <body>
 <main>
-${heading}${writeNodes(nodes, form).trim()}
+${writeContent(lesson, nodes, form)}
 </main>
 <footer class="credits">
 ${writeCredits(lesson)}</footer>
 ${form.end}</body>
 </html>
 `;
+}
+
+/** The lesson, with its title where it has no heading of its own. */
+export function writeContent({ title }: Lesson, nodes: readonly LessonNode[], form: HtmlForm): string {
+  const heading = nodes.some(hasHeading) ? '' : `<h1>${escapeMarkup(title)}</h1>\n`;
+  return `${heading}${writeNodes(nodes, form).trim()}`;
 }
 
 /** Who made the data, and under which licence: each page shows it. */

@@ -17,8 +17,8 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
-volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
-    a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package (ZIP) for a course
+volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
+    a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
 

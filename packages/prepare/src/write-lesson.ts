@@ -9,6 +9,7 @@ import {
   listManifestFiles,
   readLesson,
   writeEmbedFiles,
+  writeH5pFiles,
   writePageFiles,
   writeScormFiles,
   writeSingleFile,
@@ -25,7 +26,7 @@ export interface LessonWords {
   readonly credits?: string;
 }
 
-export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004'] as const;
+export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'h5p'] as const;
 
 /** What a lesson becomes: a folder, one page, or an archive. */
 export type LessonForm = (typeof lessonForms)[number];
@@ -78,6 +79,7 @@ const endings: Readonly<Record<LessonForm, string>> = {
   embed: '-embed',
   scorm: '.zip',
   'scorm-2004': '.zip',
+  h5p: '.h5p',
 };
 
 function makeFiles(
@@ -88,6 +90,7 @@ function makeFiles(
   if (as === 'page') return writePageFiles(lesson, player);
   if (as === 'embed') return writeEmbedFiles(lesson, player, { address });
   if (as === 'single-file') return writeSingleFile(lesson, player);
+  if (as === 'h5p') return writeH5pFiles(lesson, player);
   return writeScormFiles(lesson, player, { version: as === 'scorm' ? '1.2' : '2004', pass });
 }
 

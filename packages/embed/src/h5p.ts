@@ -1,0 +1,129 @@
+// The script of the H5P library: shows a lesson in H5P, keeps where the learner stopped, and reports answers and score as xAPI statements.
+// H5P has its contract for content types at h5p.org ("Content type API", "xAPI").
+import { buildNode } from './build-node.ts';
+import { CourseRecord } from './course-record.ts';
+import type { KeptRecord, Statement } from './course-record.ts';
+import { locateFiles } from './h5p-files.ts';
+import { runScript, trust } from './page-parts.ts';
+import { parseLesson } from './parse-lesson.ts';
+
+/** The library's name in H5P, with its version, as in library.json. */
+const library = 'H5P.VolumeViewLesson-1.0';
+
+interface XApiEvent {
+  readonly data: { statement: Statement };
+  setScoredResult(score: number, max: number, content: object, completion?: boolean, success?: boolean): void;
+}
+
+interface Dispatcher {
+  trigger(event: string | XApiEvent): void;
+  createXAPIEventTemplate(verb: string): XApiEvent;
+}
+
+interface H5pCore {
+  readonly EventDispatcher: new () => Dispatcher;
+  getLibraryPath(library: string): string;
+  getPath(path: string, contentId: number | string): string;
+  VolumeViewLesson?: unknown;
+}
+
+/** Of content/content.json. */
+interface Content {
+  /** HTML of the lesson, in entities: H5P takes it for a text without tags, and changes nothing of it. */
+  readonly html?: unknown;
+  /** The names that the lesson has for its files, and their paths. */
+  readonly files?: unknown;
+}
+
+const core = (globalThis as unknown as { H5P: H5pCore }).H5P;
+
+class VolumeViewLesson extends core.EventDispatcher {
+  readonly #record: CourseRecord;
+
+  constructor(
+    readonly content: Content | null,
+    readonly contentId: number | string,
+    extras: { readonly previousState?: KeptRecord } = {},
+  ) {
+    super();
+    this.#record = new CourseRecord(extras.previousState, {
+      answered: (write) => this.#report('answered', write),
+      completed: () => this.#reportCompleted(),
+    });
+  }
+
+  /** Called by H5P. @param container - as jQuery has it */
+  attach(container: ArrayLike<HTMLElement>): void {
+    const place = container[0];
+    place.classList.add('volume-view-lesson');
+    this.#show(place).catch((error: unknown) => this.#say(place, error instanceof Error ? error.message : 'unknown'));
+    new ResizeObserver(() => this.trigger('resize')).observe(place);
+  }
+
+  async #show(place: HTMLElement): Promise<void> {
+    const { nodes, problems } = parseLesson(decode(this.content?.html));
+    if (problems.length > 0) throw new Error(problems.map(({ message }) => message).join('; '));
+    const folder = new URL(`${core.getLibraryPath(library)}/`, document.baseURI);
+    const addresses = await locateFiles(
+      this.content?.files,
+      (path) => new URL(core.getPath(path, this.contentId), document.baseURI).href,
+    );
+    // What a learner has answered is kept by H5P for each learner; the browser would show it to the next one.
+    place.append(...nodes.map((node) => buildNode(node, (path) => addresses.get(path) ?? '', ['remember'])));
+    this.#record.questions = place.querySelectorAll('volume-question').length;
+    // The script of a course finds what a course gives a page at this place, and reports to it.
+    Object.assign(globalThis, { API_1484_11: this.#record });
+    await runScript(new URL('course.js', folder).href, { scorm: '2004' });
+    await runScript(new URL('volume-view.iife.js', folder).href);
+  }
+
+  #say(place: HTMLElement, message: string): void {
+    const text = document.createElement('p');
+    text.setAttribute('role', 'alert');
+    text.textContent = `This lesson is not shown: ${message}`;
+    place.append(text);
+  }
+
+  #report(verb: string, write: (event: XApiEvent) => void): void {
+    const event = this.createXAPIEventTemplate(verb);
+    write(event);
+    this.trigger(event);
+  }
+
+  #reportCompleted(): void {
+    this.#report('completed', (event) =>
+      event.setScoredResult(this.getScore(), this.getMaxScore(), this, true, this.getScore() === this.getMaxScore()),
+    );
+  }
+
+  // What H5P asks of content with a score.
+
+  getScore(): number {
+    return this.#record.score;
+  }
+
+  getMaxScore(): number {
+    return this.#record.maxScore;
+  }
+
+  getAnswerGiven(): boolean {
+    return this.#record.hasAnswers;
+  }
+
+  /** What H5P keeps for the learner's next visit. */
+  getCurrentState(): KeptRecord {
+    return this.#record.kept;
+  }
+}
+
+/** The HTML that entities in a text stand for. */
+function decode(text: unknown): string {
+  if (typeof text !== 'string') return '';
+  if (text.includes('<')) return text; // A host that has read the entities itself.
+  return new DOMParser().parseFromString(trust(text, 'createHTML'), 'text/html').body.textContent;
+}
+
+// H5P writes into the prototype of what it constructs; that of a class is not for writing.
+core.VolumeViewLesson = function (...given: ConstructorParameters<typeof VolumeViewLesson>): VolumeViewLesson {
+  return new VolumeViewLesson(...given);
+};
