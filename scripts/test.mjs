@@ -72,6 +72,12 @@ const parts = [
     browser: true,
   },
   {
+    title: 'Lessons for H5P',
+    args: ['test/package/lesson-h5p.mjs'],
+    counts: true,
+    browser: true,
+  },
+  {
     title: 'Lessons for frames of other sites',
     args: ['test/package/lesson-embed.mjs'],
     counts: true,

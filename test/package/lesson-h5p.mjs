@@ -157,6 +157,13 @@ await check(
     await content.getByText('2 < 3 & "so on" more').waitFor();
     await content.getByText('Made by a program').waitFor();
     await content.getByText('CC BY 4.0').waitFor();
+    await page.emulateMedia({ colorScheme: 'dark' });
+    const colors = await content.getByRole('heading', { name: 'First' }).evaluate((heading) => {
+      const background = /** @type {Element} */ (heading.closest('.h5p-content'));
+      return [getComputedStyle(heading).color, getComputedStyle(background).backgroundColor];
+    });
+    assert.deepEqual(colors, ['rgb(0, 0, 0)', 'rgb(254, 254, 254)'], 'dark text on the white of H5P');
+    await page.emulateMedia({ colorScheme: 'light' });
     const height = () => page.locator('iframe').evaluate((frame) => frame.clientHeight);
     assert.ok((await height()) > 500, 'the frame is as high as the lesson');
 

@@ -10,7 +10,7 @@ export interface Statement {
 /** What the next visit begins with: elements of SCORM 2004 by their names. */
 export type KeptRecord = Readonly<Record<string, string>>;
 
-/** Who is told what a learner does. */
+/** Gets what a learner does. */
 export interface RecordListener {
   /** @param write - writes the answer into a statement about the lesson */
   answered(write: (event: { readonly data: { statement: Statement } }) => void): void;
