@@ -178,6 +178,7 @@ const sources = sourceFiles.map((file) => readFileSync(file, 'utf8'));
 
 const details = [
   'VolumeInfo',
+  'ChannelInfo',
   'VolumePick',
   'VolumePosition',
   'EarthPlace',

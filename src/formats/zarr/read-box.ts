@@ -27,26 +27,31 @@ interface BoxReading {
 }
 
 /**
- * Reads a box of an array, the middle first: its numbers in the byte order of the array, i fastest. What is in no chunk has the fill value.
- * The bytes of the box are taken from the budget.
+ * Reads boxes of an array that differ only in the index along an axis that is none of space, such as those of several channels: what they have in
+ * one chunk is read once. The middle comes first. What is in no chunk has the fill value. The bytes of the boxes are taken from the budget.
+ * @returns the numbers of each box in the byte order of the array, i fastest
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`, `source/…`; the signal's reason
  */
-export async function readBox(
+export async function readBoxes(
   tree: Pick<FileTree, 'read'>,
   array: ZarrArray,
-  box: ArrayBox,
+  boxes: readonly ArrayBox[],
   { budget, signal, onProgress }: BoxReading,
-): Promise<Uint8Array<ArrayBuffer>> {
+): Promise<readonly Uint8Array<ArrayBuffer>[]> {
   const size = array.type.bytesPerSample;
-  const total = box.dimensions.reduce((product, n) => product * n, size);
+  const each = boxes[0].dimensions.reduce((product, n) => product * n, size);
+  const total = boxes.length * each;
   // Chunks may be missing, so that few bytes of a file may stand for many: the device has room for them, which was looked at before.
   budget.addFile(total);
   budget.take(total, 'the volume');
   const unpack = await loadUnpacker(array, budget);
-  const bytes = new Uint8Array(total);
-  const output = asNumbers(bytes, size);
-  if (array.fill !== 0) output.fill(bitsOf(array) as never);
-  const places = listChunks(array, box);
+  const read = boxes.map((box) => {
+    const bytes = new Uint8Array(each);
+    const output = asNumbers(bytes, size);
+    if (array.fill !== 0) output.fill(bitsOf(array) as never);
+    return { box, bytes, output };
+  });
+  const { places, users } = shareChunks(array, read);
   const chunkBytes = array.chunk.reduce((product, n) => product * n, size);
   // One failure ends the others.
   const failed = new AbortController();
@@ -59,14 +64,17 @@ export async function readBox(
   let runs: readonly Pieces[] = [];
   const work = async (): Promise<void> => {
     while (next < runs.length) {
-      const { places: own, read } = runs[next++];
-      const several = await read();
+      const { places: own, read: fetch } = runs[next++];
+      const several = await fetch();
       all.throwIfAborted();
       const bytesOfAll = several.reduce((sum, one) => sum + (one?.length ?? 0), 0);
       budget.addFile(bytesOfAll);
       budget.take(bytesOfAll + chunkBytes, 'a chunk of the Zarr');
       for (const [i, packed] of several.entries()) {
-        if (packed) copyChunk(asNumbers(await unpack(packed), size), own[i], { array, box, output });
+        if (packed) {
+          const numbers = asNumbers(await unpack(packed), size);
+          for (const user of users.get(String(own[i]))!) copyChunk(numbers, own[i], { array, ...user });
+        }
         done++;
         onProgress(Math.round((done / places.length) * total), total);
       }
@@ -85,7 +93,26 @@ export async function readBox(
     failed.abort(cause);
     throw cause;
   }
-  return bytes;
+  return read.map(({ bytes }) => bytes);
+}
+
+/** The chunks that boxes need, and which boxes need each of them. */
+function shareChunks<User extends { readonly box: ArrayBox }>(
+  array: ZarrArray,
+  all: readonly User[],
+): { readonly places: readonly (readonly number[])[]; readonly users: ReadonlyMap<string, readonly User[]> } {
+  const places: (readonly number[])[] = [];
+  const users = new Map<string, User[]>();
+  for (const user of all)
+    for (const place of listChunks(array, user.box)) {
+      const known = users.get(String(place));
+      if (known) known.push(user);
+      else {
+        places.push(place);
+        users.set(String(place), [user]);
+      }
+    }
+  return { places, users };
 }
 
 /** A signal that either of them gives. */

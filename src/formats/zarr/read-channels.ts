@@ -30,6 +30,8 @@ export interface ChannelReading {
   readonly windows: Map<number, readonly [number, number]>;
   /** What a device holds of one byte for each voxel. */
   readonly limits: DeviceLimits;
+  /** Channels that each chunk of the file has. */
+  readonly inChunk: number;
 }
 
 /** What a device holds of several channels: how much less than of one. @param stored - bytes of a sample */
@@ -38,14 +40,14 @@ export function limitsOfChannels(limits: DeviceLimits, count: number, stored: nu
 }
 
 /**
- * Reads several channels of a box, one after the other, and mixes their light.
- * @param read - one of them
+ * Reads several channels of a box, one after the other or those of one chunk together, and mixes their light.
+ * @param read - some of them, in the same order
  */
 export async function readChannels(
   box: { readonly dimensions: Vector3; readonly indexToWorld: Matrix4 },
   list: readonly OmeChannel[],
-  read: (index: number, onProgress: ProgressListener) => Promise<ChannelSamples>,
-  { budget, onProgress, windows, limits }: ChannelReading,
+  read: (indices: readonly number[], onProgress: ProgressListener) => Promise<readonly ChannelSamples[]>,
+  { budget, onProgress, windows, limits, inChunk }: ChannelReading,
 ): Promise<
   Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'channels' | 'window' | 'transferFunction'> &
     typeof box
@@ -54,18 +56,28 @@ export async function readChannels(
   const isSmaller = factors.some((factor) => factor > 1);
   const channels: Channel[] = [];
   let fitted = box;
-  for (const [i, { index, name, color, window }] of list.entries()) {
-    const {
-      samples: all,
-      slope,
-      intercept,
-    } = await read(index, (loaded, total) => onProgress(i * total + loaded, list.length * total));
-    const { samples, ...own } = isSmaller ? reduceVolume({ ...box, samples: all }, factors) : { ...box, samples: all };
-    fitted = own;
-    const found = window ?? windows.get(index) ?? windowFromHistogram(summarize(samples, slope, intercept).histogram);
-    windows.set(index, found);
-    channels.push({ number: index + 1, name, color, window: found, samples, slope, intercept });
+  let done = 0;
+  for (const group of groupByChunk(list, inChunk)) {
+    const before = done;
+    const found = await read(
+      group.map(({ index }) => index),
+      (loaded, total) => onProgress((before * total) / group.length + loaded, (list.length * total) / group.length),
+    );
+    done += group.length;
+    for (const [i, { index, name, color, window }] of group.entries()) {
+      const { samples: all, slope, intercept } = found[i];
+      const { samples, ...own } = isSmaller
+        ? reduceVolume({ ...box, samples: all }, factors)
+        : { ...box, samples: all };
+      fitted = own;
+      const shown = window ?? windows.get(index) ?? windowFromHistogram(summarize(samples, slope, intercept).histogram);
+      windows.set(index, shown);
+      channels.push({ number: index + 1, name, color, window: shown, samples, slope, intercept });
+    }
   }
+  // In the order of the address.
+  const order = list.map(({ index }) => index + 1);
+  channels.sort((one, other) => order.indexOf(one.number) - order.indexOf(other.number));
   budget.take(mixedBytes * channels[0].samples.length, 'the colours of the channels');
   const { samples, slope, ...mixed } = mixChannels(channels);
   return {
@@ -77,6 +89,18 @@ export async function readChannels(
     window: [0, list.length],
     transferFunction: opacities(list.length),
   };
+}
+
+/** Channels of the same chunks, together. */
+export function groupByChunk(list: readonly OmeChannel[], inChunk: number): readonly (readonly OmeChannel[])[] {
+  const groups = new Map<number, OmeChannel[]>();
+  for (const channel of list) {
+    const chunk = Math.floor(channel.index / inChunk);
+    const known = groups.get(chunk);
+    if (known) known.push(channel);
+    else groups.set(chunk, [channel]);
+  }
+  return [...groups.values()];
 }
 
 /** A function of brightness: white, and as opaque as so many media together, whose extinctions add. */

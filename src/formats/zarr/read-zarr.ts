@@ -3,24 +3,24 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { fitVolume } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Budget } from '../base/budget.ts';
-import { chooseScan } from '../base/choose-scan.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { DecodedCartesianVolume, DecodeSettings, ProgressListener } from '../base/decoded-volume.ts';
 import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { timeAt } from '../series/scan-times.ts';
-import { chooseLevel, coarseEnough, countVoxels, cutLevel, detailOf, isReadable, worldOfBox } from './choose-level.ts';
+import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
 import type { LevelBox } from './choose-level.ts';
+import { chooseTime } from './choose-time.ts';
 import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
 import type { ArrayBox } from './list-chunks.ts';
-import { secondsOf } from './time-units.ts';
 import { chooseChannels } from './ome-channels.ts';
 import { openImage } from './open-image.ts';
-import type { OmeImage } from './open-image.ts';
-import { readBox } from './read-box.ts';
+import { labelLevels, nothingThere, sayCoarse, tooManyLabels } from './label-levels.ts';
+import { readBoxes } from './read-box.ts';
 import { limitsOfChannels, readChannels } from './read-channels.ts';
+import type { ChannelSamples } from './read-channels.ts';
+import { suggestForTimes } from './suggest-for-times.ts';
 
 /** The load for which a volume is read. */
 export interface ZarrLoad {
@@ -36,12 +36,6 @@ export interface ZarrLoad {
 
 /** The coarsest level is shown first where the chosen one has at least so many times its voxels. */
 const minForPart = 4;
-
-/** Labels with voxels that are longer by this factor than those of the volume look coarse in it. */
-const muchCoarser = 1.5;
-
-/** Times that a page can have as scans. */
-const maxTimes = 10_000;
 
 /**
  * Reads an image of an OME-Zarr: the finest level that the device holds, of a region if there is one. The coarsest level is shown first.
@@ -59,8 +53,8 @@ export async function readZarr(
   const shown = chooseChannels(image, tree);
   const { time, times } = chooseTime(image, settings, load);
   const firstChannel = shown.kind === 'values' ? shown.index : shown.list[0].index;
-  const arrayBox = ({ first, dimensions }: LevelBox, channel = firstChannel): ArrayBox => {
-    const at = shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? channel : 0));
+  const arrayBox = ({ first, dimensions }: LevelBox, channel = firstChannel, atTime = time): ArrayBox => {
+    const at = shape.map((_, axis) => (axis === axes.time ? atTime : axis === axes.channel ? channel : 0));
     return { axes: axes.space, first, dimensions, at };
   };
   // A region that holds nothing of the volume is an error of the view, which says it.
@@ -88,31 +82,52 @@ export async function readZarr(
     throw tooManyLabels(image.format, chosen);
   // As scans, the other times are shown too.
   const describe = describeImage(image, { shown, time, times, volumes: settings.scan ? 1 : times });
-  const readSamples = async (box: LevelBox, channel: number, onProgress: ProgressListener) => {
+  const readSamples = async (
+    box: LevelBox,
+    channels: readonly number[],
+    onProgress: ProgressListener,
+    atTime = time,
+  ): Promise<readonly ChannelSamples[]> => {
     const { array } = box.level;
     countSampleBytes(`the ${image.format}`, box.dimensions, array.type);
-    const bytes = await readBox(tree, array, arrayBox(box, channel), { ...load, onProgress });
-    const { scale, offset, ...rest } = storeSamples(bytes, array.type, array.littleEndian, {
-      slope: 1,
-      intercept: 0,
-      budget: load.budget,
-      chooseWhole: await wholeNumbersOf(array.type),
+    const arrayBoxes = channels.map((channel) => arrayBox(box, channel, atTime));
+    const all = await readBoxes(tree, array, arrayBoxes, { ...load, onProgress });
+    const chooseWhole = await wholeNumbersOf(array.type);
+    return all.map((bytes) => {
+      const { scale, offset, ...rest } = storeSamples(bytes, array.type, array.littleEndian, {
+        slope: 1,
+        intercept: 0,
+        budget: load.budget,
+        chooseWhole,
+      });
+      return { ...rest, slope: scale, intercept: offset };
     });
-    return { ...rest, slope: scale, intercept: offset };
   };
-  const windows = new Map<number, readonly [number, number]>();
+  const found =
+    settings.scan && times > 1 && !image.labels
+      ? await suggestForTimes(
+          { shown, times, level: levels[levels.length - 1], axes, describe },
+          load.budget,
+          readSamples,
+        )
+      : null;
+  const windows = new Map(found?.windows);
   const read = async (box: LevelBox, onProgress: ProgressListener): Promise<DecodedCartesianVolume> => {
     const whole = { dimensions: box.dimensions, indexToWorld: worldOfBox(box, axes) };
     const { dimensions, indexToWorld, ...values } =
       shown.kind === 'colors'
-        ? await readChannels(whole, shown.list, (index, report) => readSamples(box, index, report), {
+        ? await readChannels(whole, shown.list, (channels, report) => readSamples(box, channels, report), {
             budget: load.budget,
             onProgress,
             windows,
             limits: ofChannels!,
+            inChunk: axes.channel === null ? 1 : box.level.array.chunk[axes.channel],
           })
-        : { ...whole, ...(await readSamples(box, shown.index, onProgress)) };
-    return placeVolume({ ...describe, ...values, grid: cartesianGrid(dimensions, indexToWorld) }, settings);
+        : { ...whole, ...(await readSamples(box, [shown.index], onProgress))[0] };
+    return placeVolume(
+      { ...describe, ...found?.appearance, ...values, grid: cartesianGrid(dimensions, indexToWorld) },
+      settings,
+    );
   };
   if (
     labelDetail === undefined &&
@@ -128,6 +143,7 @@ export async function readZarr(
   const volume = await read(chosen, load.onProgress);
   const [finest] = boxes;
   if (chosen === finest) return volume;
+  const coarse = labelDetail === undefined ? undefined : sayCoarse(chosen, finest, labelDetail, axes);
   // Where even the coarsest level is too large, it is made smaller here, so that it is known from what. Labels have no mean.
   const { samples, dimensions, indexToWorld } =
     volume.isLabels || volume.channels
@@ -138,35 +154,9 @@ export async function readZarr(
     samples,
     grid: cartesianGrid(dimensions, indexToWorld),
     reduced: { from: finest.dimensions, to: dimensions },
-    ...(labelDetail !== undefined &&
-      detailOf(chosen, axes) > muchCoarser * labelDetail && {
-        left: [...(volume.left ?? []), sayCoarse(chosen, finest)],
-      }),
+    ...(coarse && { left: [...(volume.left ?? []), coarse] }),
     ...(samples !== volume.samples && { indexed: undefined }),
   };
-}
-
-/** The levels that labels may be read of. Values of an image that is not said to have labels may be means in all but the finest one. */
-function labelLevels(boxes: readonly LevelBox[], detail: number, { axes, labels }: OmeImage): readonly LevelBox[] {
-  return labels ? coarseEnough(boxes, detail, axes) : boxes.slice(0, 1);
-}
-
-function nothingThere(): VolumeViewError {
-  return new VolumeViewError(
-    'format/unsupported',
-    'the labels and the volume have no place in common; expected files of the same body in the same coordinates',
-  );
-}
-
-function tooManyLabels(format: string, { dimensions }: LevelBox): VolumeViewError {
-  return new VolumeViewError(
-    'format/too-large',
-    `the ${format} has ${dimensions.join(' x ')} voxels; expected at most 1 GiB of labels, or a pyramid whose metadata have "image-label", of which a coarser level can be read`,
-  );
-}
-
-function sayCoarse({ dimensions }: LevelBox, finest: LevelBox): string {
-  return `the labels are those of ${dimensions.join(' x ')} larger voxels, instead of ${finest.dimensions.join(' x ')}: the finer levels have more than 1 GiB, and small labels may be missing`;
 }
 
 /** Bytes that were taken for a volume's samples. */
@@ -176,26 +166,4 @@ function bytesOf({ samples, channels }: DecodedCartesianVolume): number {
     channels.colors.byteLength,
   );
   return samples.byteLength + (each ?? 0);
-}
-
-/** The time that is read, from 0, and the number of times; the page hears of them as scans where it asks for one. */
-function chooseTime(
-  { axes, levels }: OmeImage,
-  { scan }: DecodeSettings,
-  { onScans }: ZarrLoad,
-): { readonly time: number; readonly times: number } {
-  const [{ array, scale, translation }] = levels;
-  const times = axes.time === null ? 1 : array.shape[axes.time];
-  if (axes.time === null || times === 1 || !scan) return { time: 0, times };
-  if (times > maxTimes)
-    throw new VolumeViewError(
-      'format/too-large',
-      `the Zarr has ${times.toLocaleString('en')} times; expected at most ${maxTimes.toLocaleString('en')}`,
-    );
-  const seconds = secondsOf(axes.timeUnit);
-  const step = scale[axes.time] * (seconds ?? NaN);
-  const steps = step > 0 ? { first: translation[axes.time] * seconds!, step, unit: 's' } : null;
-  const known = Array.from({ length: times }, (_, index) => timeAt(index, steps));
-  onScans?.(known);
-  return { time: chooseScan(known, scan).index, times };
 }
