@@ -1,5 +1,6 @@
 // An OME-Zarr on a static server of another origin: with faults, with a strict policy, its channels, times, labels and regions.
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
 import { crc32 } from '../../src/formats/codecs/crc32.ts';
 import { pyramidFiles } from '../helpers/zarr-bytes.ts';
 import type { PyramidCase, ZarrFiles } from '../helpers/zarr-bytes.ts';
@@ -187,6 +188,38 @@ test('a region is read finer than the whole', async ({ page }) => {
   });
   expect(await shown()).toEqual([[8, 8, 8], undefined]);
 });
+
+for (const kind of ['folder', '.ozx'])
+  test(`a region of a chosen ${kind} is read finer than the whole`, async ({ page }, info) => {
+    const files = pyramidFiles({ ...pyramid, shape: [32, 32, 32] });
+    const stored = [...files].map(([path, packed]) => ({ path, packed, crc: crc32(packed) }));
+    const written: ZarrFiles = kind === 'folder' ? files : new Map([['cells.ozx', zipBytes(stored)]]);
+    for (const [path, bytes] of written) {
+      const target = info.outputPath('cells', path);
+      mkdirSync(dirname(target), { recursive: true });
+      writeFileSync(target, bytes);
+    }
+    const input = `<label>Cells <input type="file" ${kind === 'folder' ? 'webkitdirectory' : ''}></label>`;
+    await open(page, view('max-bytes="9000"') + input);
+    await page.setInputFiles('input', info.outputPath('cells', kind === 'folder' ? '' : 'cells.ozx'));
+    const show = (region: readonly [number, number, number, number, number, number] | null): Promise<unknown> =>
+      withElement(
+        page,
+        async (one, argument) => {
+          one.files ??= document.querySelector('input')!.files!;
+          one.region = argument;
+          await one.whenRendered();
+          return [one.volume!.dimensions, one.volume!.reduced?.from];
+        },
+        { argument: region },
+      );
+    expect(await show(null)).toEqual([
+      [16, 16, 16],
+      [32, 32, 32],
+    ]);
+    expect(await show([-15, -15, 8, -8, -8, 15])).toEqual([[8, 8, 8], undefined]);
+    expect(await show([-31, -31, 0, -24, -24, 7])).toEqual([[8, 8, 8], undefined]);
+  });
 
 test('its labels are those of <volume-labels>, with their colours', async ({ page }) => {
   const files = pyramidFiles(pyramid);

@@ -106,14 +106,19 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
+/** Of a chosen file; a page may give anything. */
+const nameOf = (file: unknown): unknown => (file as File | null | undefined)?.name;
+
 /** Read all attributes. If one can't be read, its error is in its own place, and the others are still read. */
 export function readSettings(given: GivenAttributes, local?: LocalFiles): Settings {
   return {
     src: local ? local.base : given.src,
     local,
     stack: given.stack !== null,
-    // Of a Zarr only the region is read. Other files with these letters in their address are read again for a new region, which costs time only.
-    source: pickSource(/zarr|ozx/.test(given.src!) ? given : { ...given, region: null }),
+    // Of a Zarr only the region is read: files of it have these letters in their names. Others with them are read again for a new region, which costs time only.
+    source: pickSource(
+      /zarr|ozx/.test(String(local ? local.files.map(nameOf) : given.src)) ? given : { ...given, region: null },
+    ),
     time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
     playSpeed: read(() =>
