@@ -7,6 +7,9 @@ import { checkGeometry } from '../../src/formats/base/check-geometry.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
 import { readZarr } from '../../src/formats/zarr/read-zarr.ts';
+import { MemoryStore } from '../../src/sources/memory-store.ts';
+import { findTrees, openTree } from '../../src/sources/store-tree.ts';
+import { ZipStore } from '../../src/sources/zip-store.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { decodeRequest } from '../../src/worker/decode-request.ts';
@@ -77,20 +80,34 @@ async function loadFiles({ files, stack, settings = {} }: FilesCase): Promise<Vo
   return finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
 }
 
-async function loadTree({ files, settings = {} }: FilesCase): Promise<Finding | null> {
+async function loadTree({ files, settings = {}, isPacked, choice }: FilesCase): Promise<Finding | null> {
   const found = new Map(files.map(({ name, bytes }) => [name, bytes] as const));
+  const packed = isPacked ? await openArchive(files[0].bytes) : null;
   const tree: FileTree = {
+    ...choice,
     async read(path, { part } = {}) {
       const bytes = found.get(path);
       if (!bytes || !part) return bytes?.slice() ?? null;
       return 'end' in part ? bytes.slice(part.start, part.end) : bytes.slice(Math.max(0, bytes.length - part.last));
     },
+    ...packed,
     showPart: async (part) => void (await finishVolume(part, smallDevice)),
   };
   const load = { limits: smallDevice, budget: new Budget(smallBudget), onProgress: () => undefined };
   const decoded = await readZarr(tree, settings, load);
   checkGeometry(decoded);
   return judgeVolume(await finishVolume(decoded, smallDevice));
+}
+
+/** An OME-Zarr in a ZIP archive. */
+async function openArchive(bytes: Uint8Array<ArrayBuffer>): Promise<Pick<FileTree, 'read'>> {
+  const url = 'https://example.test/x.ozx';
+  const base = 'https://archive.invalid/';
+  const zip = await ZipStore.open(new MemoryStore({ bytes, url, contentType: '' }), url, base, 'x.ozx');
+  const [folder] = findTrees(await zip.list(), base);
+  if (folder === undefined) throw new VolumeViewError('format/unknown', 'the archive holds no Zarr');
+  const opened = await openTree(zip, { folder, base }, undefined, { kind: 'archive' });
+  return { read: opened.tree!.read };
 }
 
 /** What a page does with a volume before it is drawn, and whether all numbers are ones that can be drawn with. */

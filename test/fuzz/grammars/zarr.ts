@@ -1,5 +1,8 @@
-import { deflateSync, gzipSync } from 'node:zlib';
+import { deflateRawSync, deflateSync, gzipSync } from 'node:zlib';
+import { crc32 } from '../../../src/formats/codecs/crc32.ts';
 import { jsonBytes, pyramidFiles } from '../../helpers/zarr-bytes.ts';
+import { zipBytes } from '../../helpers/zip-bytes.ts';
+import type { ZipPart } from '../../helpers/zip-bytes.ts';
 import { little } from '../bytes.ts';
 import { damage } from '../fuzz-case.ts';
 import type { FilesCase, Grammar } from '../fuzz-case.ts';
@@ -58,15 +61,63 @@ export const zarr: Grammar = (random): FilesCase => {
     } else if (random.isWild()) files.delete(path);
     else files.set(path, damage(random, isPacked ? pack(random, compressor, bytes) : bytes));
   }
+  const isArchive = random.chance(0.3);
   return {
-    files: [...files].map(([name, bytes]) => ({ name, bytes })),
+    files: isArchive
+      ? [{ name: 'x.ozx', bytes: damage(random, archiveOf(random, files)) }]
+      : [...files].map(([name, bytes]) => ({ name, bytes })),
     isTree: true,
+    isPacked: isArchive,
+    choice: {
+      ...(random.chance(0.3) && { channels: random.or('1,2', ...oddChannels) }),
+      ...(random.chance(0.1) && { channel: random.or('1', ...oddChannels) }),
+    },
     settings: {
+      ...(random.chance(0.2) && { labelDetail: random.number(0.002) }),
       ...(random.chance(0.2) && { region: [random.number(0), -0.005, 0, random.number(-0.005), 0, 0.004] }),
       ...(random.chance(0.2) && { scan: { index: random.int(0, 2) } }),
     },
   };
 };
+
+/** What an address may ask for in place of channels. */
+const oddChannels = [
+  '2,1',
+  '3',
+  '',
+  ' ',
+  ',',
+  '0',
+  '-1',
+  '1,1,1',
+  '1e9',
+  '1.5',
+  'x',
+  'NaN',
+  '1,2,3,4,5,6,7,8,9',
+  '1,'.repeat(2000),
+];
+
+/** The files in a ZIP archive, stored or packed, some with sizes, places and checksums that lie, in folders or twice. */
+function archiveOf(random: Random, files: ReadonlyMap<string, Uint8Array<ArrayBuffer>>): Uint8Array<ArrayBuffer> {
+  const folder = random.or('', 'cells.zarr/', '../', '/', 'a/b/');
+  const parts = [...files].map(([path, bytes]): ZipPart => {
+    const isDeflated = random.chance(0.3);
+    return {
+      path: random.or(folder + path, path, folder + path.toUpperCase(), `${folder}zarr.json`),
+      packed: isDeflated ? deflateRawSync(bytes) : bytes,
+      method: random.or(isDeflated ? 8 : 0, 0, 8, 9, 93),
+      crc: random.or(crc32(bytes), 0),
+      size: random.size(bytes.length) % 2 ** 32,
+      ...(random.isWild() && { offset: random.size(30) % 2 ** 32 }),
+      ...(random.isWild() && { flags: random.pick([1, 8, 0x800, 0xffff]) }),
+    };
+  });
+  return zipBytes(random.chance(0.1) ? [...parts, ...parts] : parts, {
+    ...(random.isWild() && { count: random.size(parts.length) % 2 ** 16 }),
+    ...(random.isWild() && { listOffset: random.size(0) % 2 ** 32 }),
+  });
+}
 
 /** How a channel is to look. */
 const channelOf = (random: Random): unknown => ({
