@@ -3,7 +3,7 @@ export type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 export { listManifestFiles } from './manifest-files.ts';
 export { readLesson } from './read-lesson.ts';
 export type { LessonContent, LessonElement, LessonNode } from './check-lesson-html.ts';
-export { escapeMarkup } from './write-html.ts';
+export { escapeMarkup, unescapeMarkup } from './write-html.ts';
 export { writeEmbedFiles } from './write-embed.ts';
 export type { EmbedOptions } from './write-embed.ts';
 export { writeH5pFiles } from './write-h5p.ts';

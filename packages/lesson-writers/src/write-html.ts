@@ -11,6 +11,12 @@ export function escapeMarkup(text: string): string {
     .replace(/[&<>"']/g, (sign) => signs[sign]);
 }
 
+/** The text that `escapeMarkup` was given; a host may have written an apostrophe in another way. */
+export const unescapeMarkup = (text: string): string =>
+  text.replace(/&(?:amp|lt|gt|quot|#0?39);/g, (sign) =>
+    sign === '&#039;' ? "'" : Object.keys(signs).find((one) => signs[one] === sign)!,
+  );
+
 const empty = new Set(['br', 'hr', 'img', 'wbr']);
 
 /** How a page writes what depends on its form. */

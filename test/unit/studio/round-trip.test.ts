@@ -9,7 +9,7 @@ import { wholeLesson } from '../../helpers/studio-lesson.ts';
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 const player: LessonFile[] = [
-  ...['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'embed.js', 'embed.css', 'classic/1-x.js'],
+  ...['volume-view.iife.js', 'volume-view.css', 'x3dom.js', 'embed.js', 'embed.css', 'h5p.js', 'classic/1-x.js'],
 ].map((path) => ({ path, bytes: bytesOf(`/* ${path} "<!-- */`) }));
 const image = pngBytes([pngHeader(4, 2)]);
 const data: LessonData = {
@@ -19,7 +19,7 @@ const data: LessonData = {
     { path: 'volume.png', bytes: image },
   ],
 };
-const kinds: readonly ExportKind[] = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004'];
+const kinds: readonly ExportKind[] = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'h5p'];
 const optionsOf = (kind: ExportKind): ExportOptions => ({
   kind,
   pass: kind.startsWith('scorm') ? 60 : null,
@@ -32,7 +32,7 @@ describe('what the studio wrote', () => {
     it(`it opens again, as ${kind}: the same lesson, the same data, and the same bytes`, async () => {
       const lesson = wholeLesson();
       const bytes = writeLesson(lesson, data, player, optionsOf(kind));
-      expect(endingOf(kind)).to.match(bytes[0] === 0x50 ? /\.zip$/ : /\.html$/);
+      expect(endingOf(kind)).to.match(bytes[0] === 0x50 ? /\.(?:zip|h5p)$/ : /\.html$/);
       const opened = (await openLesson(new Blob([bytes as Uint8Array<ArrayBuffer>])))!;
       expect(opened.left).to.deep.equal([]);
       // The view is that of the first step, and data get an id of their own.

@@ -2,7 +2,10 @@
 import { unzipSync, zipSync } from 'fflate';
 import type { Zippable } from 'fflate';
 import {
+  escapeMarkup,
+  unescapeMarkup,
   writeEmbedFiles,
+  writeH5pFiles,
   writePageFiles,
   writeScormFiles,
   writeSingleFile,
@@ -15,7 +18,7 @@ import { loadPart } from './parts.ts';
 import { newDataId } from './prepare.ts';
 import type { LessonData } from './prepare.ts';
 
-export type ExportKind = 'page' | 'single-file' | 'embed' | 'scorm' | 'scorm-2004';
+export type ExportKind = 'page' | 'single-file' | 'embed' | 'scorm' | 'scorm-2004' | 'h5p';
 
 export interface ExportOptions {
   readonly kind: ExportKind;
@@ -36,7 +39,8 @@ export function toWritten(lesson: Lesson, data: LessonData, poster: LessonFile |
 
 /** How the name of a file ends that an author takes away. */
 export const endingOf = (kind: ExportKind): string =>
-  kind === 'page' ? '.zip' : kind === 'single-file' ? '.html' : `-${kind}.zip`;
+  ({ page: '.zip', 'single-file': '.html', h5p: '.h5p' } as Partial<Record<ExportKind, string>>)[kind] ??
+  `-${kind}.zip`;
 
 /** @throws {LessonError} where the writers refuse something */
 export async function exportLesson(lesson: Lesson, data: LessonData, options: ExportOptions): Promise<Uint8Array> {
@@ -58,6 +62,8 @@ export function writeLesson(
       return writeSingleFile(toWritten(lesson, data), player)[0].bytes;
     case 'embed':
       return zipFiles(writeEmbedFiles(toWritten(lesson, data, poster), player, { address }));
+    case 'h5p':
+      return zipFiles(writeH5pFiles(toWritten(lesson, data), player));
     case 'scorm':
     case 'scorm-2004':
       return zipFiles(
@@ -135,11 +141,13 @@ function openPackage(bytes: Uint8Array): OpenedLesson | null {
   try {
     files = unzipSync(bytes, {
       filter: ({ name, originalSize }) =>
-        /^(index\.html|data\/[^/]+)$/.test(name) && (total += originalSize) <= maxBytes,
+        /^(index\.html|h5p\.json|content\/content\.json|(content\/)?data\/[^/]+)$/.test(name) &&
+        (total += originalSize) <= maxBytes,
     });
   } catch {
     return null; // It is damaged, or no archive.
   }
+  if (files['content/content.json']) return openH5p(files);
   const page = files['index.html'];
   const read = page && readLessonHtml(new TextDecoder().decode(page).replace(courseScript, ''));
   if (!read) return null;
@@ -154,4 +162,30 @@ function openPackage(bytes: Uint8Array): OpenedLesson | null {
       }
     : null;
   return { lesson: { ...read.lesson, data: data?.id ?? null }, data, left: read.left };
+}
+
+/** A package of H5P: its content has the HTML, and the names of its files. @returns null where it is none of ours */
+function openH5p(files: Readonly<Record<string, Uint8Array>>): OpenedLesson | null {
+  const readJson = (path: string): Record<string, unknown> =>
+    (JSON.parse(new TextDecoder().decode(files[path])) ?? {}) as Record<string, unknown>;
+  try {
+    const { html, files: listed } = readJson('content/content.json');
+    const { title, language, licenseExtras: licence, authors } = readJson('h5p.json');
+    const text = (value: unknown): string => (typeof value === 'string' ? escapeMarkup(value) : '');
+    const credits = (authors as { name?: unknown }[] | undefined)?.[0]?.name;
+    const head = `<title>${text(title)}</title><meta name="license" content="${text(licence)}"><meta name="author" content="${text(credits)}">`;
+    const read = readLessonHtml(
+      `<html lang="${text(language)}"><head>${head}</head><body>${unescapeMarkup(String(html))}</body></html>`,
+    );
+    if (!read) return null;
+    const named = (listed as { name: string; file: { path: string } }[]).flatMap(({ name, file }) => {
+      const bytes = files[`content/${file.path}`];
+      return bytes ? [{ path: name, bytes }] : [];
+    });
+    const first = named.find(({ path }) => path === decodeURIComponent(read.src).replace(/#.*$/, ''));
+    const data = first ? { id: newDataId(), files: [first, ...named.filter((one) => one !== first)] } : null;
+    return { lesson: { ...read.lesson, data: data?.id ?? null }, data, left: read.left };
+  } catch {
+    return null; // It is damaged.
+  }
 }
