@@ -64,7 +64,7 @@ function goBack(studio: Studio): void {
 function chooseLesson(studio: Studio): void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.zip,.html,.htm';
+  input.accept = '.zip,.html,.htm,.h5p';
   input.addEventListener('change', () => {
     const [file] = input.files ?? [];
     if (file) void studio.openLesson(file);
