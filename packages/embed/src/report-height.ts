@@ -28,6 +28,9 @@ export function reportHeight(talk: Talk | null): void {
   };
   new MutationObserver(observe).observe(main, { childList: true });
   observe();
+  // WordPress hides the frame until it has a height, and browsers observe no sizes in a hidden frame.
+  report();
+  addEventListener('load', () => report(true));
   addEventListener('message', ({ source, data }: MessageEvent<unknown>) => {
     if (source !== parent || typeof data !== 'object' || data === null) return;
     // WordPress asks with `ready`; our own script with the list of events, which the talk has answered before.

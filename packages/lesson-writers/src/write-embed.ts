@@ -115,10 +115,14 @@ function findView(nodes: readonly LessonNode[]): LessonElement | null {
 const writeDiscovery = ({ title }: Lesson, place: string): string =>
   `<link rel="alternate" type="application/json+oembed" href="${escapeMarkup(place)}oembed.json" title="${escapeMarkup(title)}">\n`;
 
-/** What oEmbed 1.0 asks of a `rich` answer, with the licence in addition. */
+/**
+ * What oEmbed 1.0 asks of a `rich` answer, with the licence in addition. WordPress follows the height of a frame only where a quote with a link comes
+ * before it, and hides the quote as soon as the frame has said its height (6.1, wp-includes/embed.php: wp_maybe_enqueue_oembed_host_js).
+ */
 function writeOembed({ title, credits, licence }: Lesson, place: string, poster: Poster | null): string {
   const { width, height } = frame;
-  const html = `<iframe src="${escapeMarkup(place)}embed.html" title="${escapeMarkup(title)}" width="${width}" height="${height}" sandbox="${sandbox}" allow="fullscreen" style="border: 0; max-width: 100%"></iframe>`;
+  const quote = `<blockquote><a href="${escapeMarkup(place)}">${escapeMarkup(title)}</a></blockquote>`;
+  const html = `${quote}<iframe src="${escapeMarkup(place)}embed.html" title="${escapeMarkup(title)}" width="${width}" height="${height}" frameborder="0" sandbox="${sandbox}" allow="fullscreen" style="border: 0; max-width: 100%"></iframe>`;
   const thumbnail = poster && {
     thumbnail_url: place + poster.address,
     thumbnail_width: poster.width,

@@ -57,8 +57,12 @@ describe('a lesson as a folder for frames', () => {
       thumbnail_height: 21,
     });
     expect([answer.width, answer.height].every((one) => Number.isInteger(one) && (one as number) > 0)).to.equal(true);
-    // What WordPress keeps of an answer: one frame whose address stands between quotes.
-    const [, src, title] = /^<iframe src="([^"]*)" title="([^"]*)"[^<>]*><\/iframe>$/.exec(answer.html as string)!;
+    // What WordPress keeps of an answer: a quote without attributes, and one frame whose address stands between quotes.
+    const [, link, src, title] =
+      /^<blockquote><a href="([^"]*)">[^<>]*<\/a><\/blockquote><iframe src="([^"]*)" title="([^"]*)"[^<>]*><\/iframe>$/.exec(
+        answer.html as string,
+      )!;
+    expect(link).to.equal('https://example.org/brain/');
     expect(src).to.equal('https://example.org/brain/embed.html');
     expect(title).to.equal('A &quot;head&quot; &amp; &lt;more&gt;');
     expect(answer.html).to.match(/ sandbox="allow-scripts [^"]*"/);
