@@ -1,11 +1,12 @@
 // `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element. The text comes from the comments of the
 // elements, from the types of their events and properties, and from the error codes. It also writes the map of the code, docs/develop/rooms.md
-// (map-rooms.mjs), and the table of elements that a lesson may have. `--check` fails if a page is out of date, missing or no longer needed.
+// (map-rooms.mjs), the table of elements that a lesson may have, and the traits of the widget for notebooks. `--check` fails if a page is out of date, missing or no longer needed.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { mapRooms } from './map-rooms.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { traitsFile, writeTraits } from './write-python-traits.mjs';
 import { readElements } from './write-tag-data.mjs';
 
 /** @typedef {Record<string, any>} Entry - of the custom-elements manifest */
@@ -337,7 +338,9 @@ export const volumeElements: Readonly<Record<string, string>> = {
 ${rows.join('')}};
 `,
 );
-if (existsSync(join(folder, tablePath))) present.push(tablePath);
+const traitsPath = `../${traitsFile}`;
+wanted.set(traitsPath, writeTraits());
+present.push(...[tablePath, traitsPath].filter((path) => existsSync(join(folder, path))));
 
 if (!process.argv.includes('--check')) {
   for (const [path, text] of wanted) writeFileSync(join(folder, path), text);

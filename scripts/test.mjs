@@ -83,6 +83,12 @@ const parts = [
     counts: true,
     browser: true,
   },
+  {
+    title: 'The widget for notebooks, in Python',
+    args: ['test/package/jupyter.mjs'],
+    counts: true,
+    after: 'Build: dist stays whole meanwhile',
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {

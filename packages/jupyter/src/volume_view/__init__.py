@@ -1,0 +1,5 @@
+"""Volumes in notebooks."""
+
+from .widget import VolumeView
+
+__all__ = ["VolumeView"]
