@@ -10,14 +10,21 @@ const together = 16;
 /**
  * Sends the chosen files of a load in groups, and lets the page do other work between them.
  * @param signal - of the load; once it is given up, no more are sent
- * @returns the order's request, with a port in place of the files; itself where there are none
+ * @returns the order's request, with a port in place of the files; itself where there are none, and without files where it needs none
  */
 export function sendFiles(request: WorkerOrder['request'], signal: AbortSignal): WorkerOrder['request'] {
-  const { local } = request as Partial<LoadRequest>;
+  const { local, data } = request as Partial<LoadRequest>;
   if (!local) return request;
+  // One of several times has its own files with it, as a browser keeps them.
+  if (data && !namesFiles(data, local.base)) return { ...request, local: { ...local, files: [] } };
   const { port1, port2 } = new MessageChannel();
   void sendGroups(local.files, port1, signal);
   return { ...request, local: { ...local, files: [], rest: port2 } };
+}
+
+/** Whether a scan is a part of a chosen file. @param base - of the URLs of chosen files */
+function namesFiles(data: NonNullable<LoadRequest['data']>, base: string): boolean {
+  return JSON.stringify('sweeps' in data ? data.sweeps : data.from).includes(base);
 }
 
 async function sendGroups(files: readonly unknown[], port: MessagePort, signal: AbortSignal): Promise<void> {
