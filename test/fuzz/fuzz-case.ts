@@ -18,7 +18,23 @@ export interface FilesCase {
   readonly choice?: { readonly channel?: string; readonly channels?: string };
   /** Whether the files are those of a folder that a reader chose. */
   readonly folder?: true;
+  /** Whether each of several times is shown, one after the other. */
+  readonly times?: true;
+  /** Set where the files are a list on a server. */
+  readonly server?: ServerCase;
   readonly settings?: DecodeSettings;
+}
+
+/** How a server sends files. */
+export interface ServerCase {
+  readonly sendsParts: boolean;
+  /** Whether the answer with a part does not say how long the file is. */
+  readonly hidesSizes: boolean;
+  /** Added to the length that it says. */
+  readonly liesBy: number;
+  /** The place of the file that is not there, and of the one that ends early. */
+  readonly lacks: number | null;
+  readonly cuts: number | null;
 }
 
 /** A text for what reads an attribute: `before`, `pump` n times, `after`. */

@@ -5,6 +5,7 @@ import { metaImage, nrrd } from './grammars/grid-files.ts';
 import { hdf5, minc } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
 import { level3 } from './grammars/level3.ts';
+import { dicomTimes, mixture, serverList } from './grammars/many-files.ts';
 import { manifest } from './grammars/manifest.ts';
 import { netcdf3 } from './grammars/netcdf3.ts';
 import { nexrad } from './grammars/nexrad.ts';
@@ -40,6 +41,9 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   zarr,
   dicom,
   'dicom-folder': dicomFolder,
+  'dicom-times': dicomTimes,
+  'server-list': serverList,
+  mixture,
   manifest,
   attributes,
 };

@@ -3,6 +3,8 @@ import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
 import { fetchInOrder } from '../../src/sources/fetch-files.ts';
 import { Budget } from '../../src/formats/base/budget.ts';
+import type { LoadRequest, ScansListener } from '../../src/formats/base/load-request.ts';
+import type { ScanData } from '../../src/formats/base/scan-data.ts';
 import { checkGeometry } from '../../src/formats/base/check-geometry.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
@@ -17,7 +19,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { buildPolarTable } from '../../src/radar/polar-table.ts';
 import { layOutRadials } from '../../src/radar/polar-layout.ts';
 import { startCounting, stopCounting } from './count-memory.ts';
-import type { FilesCase, FuzzCase } from './fuzz-case.ts';
+import type { FilesCase, FuzzCase, ServerCase } from './fuzz-case.ts';
 import { judgeText } from './judge-text.ts';
 import { judgeCost, runSafely } from './verdict.ts';
 import type { Finding, Verdict } from './verdict.ts';
@@ -45,16 +47,81 @@ export async function judge(one: FuzzCase): Promise<Verdict> {
 
 async function load(one: FilesCase): Promise<Finding | null> {
   if (one.isTree) return loadTree(one);
-  return judgeVolume(await (one.folder ? loadFolder(one) : loadFiles(one)));
+  if (one.times) return loadTimes(one);
+  return judgeVolume(await (one.folder ? loadFolder(one) : one.server ? loadList(one, one.server) : loadFiles(one)));
+}
+
+/** All times of chosen files, each as it is loaded when it is shown. */
+async function loadTimes(one: FilesCase): Promise<Finding | null> {
+  const scans: ScanData[] = [];
+  const first = await loadFolder(one, { scan: { index: 0 } }, (_times, data) => scans.push(...(data ?? [])));
+  let wrong = judgeVolume(first);
+  for (const [index, data] of scans.entries()) {
+    try {
+      wrong ??= judgeVolume(await loadFolder({ files: [] }, { scan: { index }, data }));
+    } catch (error) {
+      if (!(error instanceof VolumeViewError) || error.code === 'internal') throw error;
+    }
+  }
+  return wrong;
+}
+
+/** A list of files on a server, as a worker loads it. */
+function loadList({ files }: FilesCase, server: ServerCase): Promise<Volume> {
+  const origin = 'https://example.test';
+  const urls = files.map(({ name }) => `${origin}/${encodeURIComponent(name)}`);
+  const answer = async (url: string, headers: Headers): Promise<Response> => {
+    const place = urls.indexOf(url);
+    if (place === server.lacks) return new Response(null, { status: 404 });
+    const all = files[place].bytes;
+    const [, end = null] = /^bytes=0-(\d+)$/.exec(headers.get('range') ?? '') ?? [];
+    const part = server.sendsParts && end !== null ? all.subarray(0, Number(end) + 1) : all;
+    const body = place === server.cuts ? part.subarray(0, part.length >> 1) : part;
+    const length = { 'content-length': String(Math.max(0, body.length + server.liesBy)) };
+    if (!server.sendsParts || end === null) return new Response(body, { headers: length });
+    const range = `bytes 0-${part.length - 1}/${server.hidesSizes ? '*' : all.length + server.liesBy}`;
+    return new Response(body, { status: 206, headers: { ...length, 'content-range': range } });
+  };
+  return withoutWaits(() =>
+    decodeRequest(
+      { url: urls[0], files: urls, limits: device },
+      {
+        pageOrigin: origin,
+        onProgress: () => undefined,
+        onCoarse: () => undefined,
+        fetch: (url, options) => answer(url as string, new Headers(options?.headers)),
+      },
+    ),
+  );
+}
+
+/** Tries again at once what a page tries again after seconds, and as long as a browser is online. */
+async function withoutWaits<T>(run: () => Promise<T>): Promise<T> {
+  const { setTimeout: native } = globalThis;
+  globalThis.setTimeout = ((act: () => void) => native(act)) as typeof setTimeout;
+  if (!('navigator' in globalThis)) Object.assign(globalThis, { navigator: { onLine: true } });
+  try {
+    return await run();
+  } finally {
+    globalThis.setTimeout = native;
+  }
 }
 
 /** As a reader's choice of files is loaded. */
-function loadFolder({ files, settings }: FilesCase): Promise<Volume> {
+function loadFolder(
+  { files, settings }: FilesCase,
+  wanted: Pick<LoadRequest, 'scan' | 'data'> = {},
+  onScans?: ScansListener,
+): Promise<Volume> {
   const base = 'https://local-1.invalid/';
-  const chosen = files.map(({ name, bytes }) => new File([bytes], name));
+  const chosen = files.map(({ name, bytes }) => {
+    const file = new File([bytes], name);
+    Object.defineProperty(file, 'webkitRelativePath', { value: name });
+    return file;
+  });
   return decodeRequest(
-    { url: base, local: { base, files: chosen }, settings, limits: device },
-    { pageOrigin: 'https://example.test', onProgress: () => undefined, onCoarse: () => undefined },
+    { url: base, local: { base, files: chosen }, settings, limits: device, ...wanted },
+    { pageOrigin: 'https://example.test', onProgress: () => undefined, onCoarse: () => undefined, onScans },
   );
 }
 
