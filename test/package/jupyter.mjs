@@ -13,8 +13,10 @@ const folder = join(projectRoot, 'packages/jupyter');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-python-'));
 process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 
-/** What the tests need, in versions that they were written with or newer. */
-const packages = ['anywidget>=0.9', 'numpy', 'nibabel', 'pydicom', 'SimpleITK', 'xarray'];
+/** What the tests need, in the versions that they were written with: a new one of another project must not change what they say. */
+const packages = [
+  ...['anywidget==0.11.0', 'numpy==2.4.6', 'nibabel==5.4.2', 'pydicom==3.0.2', 'SimpleITK==2.5.7', 'xarray==2026.9.0'],
+];
 
 /** @param {string} program @param {string[]} args */
 const run = (program, args) =>
