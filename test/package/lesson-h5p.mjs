@@ -1,7 +1,8 @@
 // A lesson as an H5P package: the built program writes it, h5p-standalone 3.8.2 plays it, and the picture is that of the same lesson as a page.
+// The player is a package of its own, test/h5p, which is installed here alone.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
@@ -19,6 +20,17 @@ process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 mkdirSync(join(work, 'scans'));
 for (const name of ['ct-phantom.nii.gz', 'mni152-t1.json', 'mni152-t1.png'])
   copyFileSync(join(projectRoot, 'demos/data', name), join(work, 'scans', name));
+
+const player = join(projectRoot, 'test/h5p/node_modules/h5p-standalone/dist');
+await check('the player is installed', () => {
+  const { status, stderr } = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {
+    cwd: join(projectRoot, 'test/h5p'),
+    encoding: 'utf8',
+    shell: process.platform === 'win32',
+  });
+  assert.equal(status, 0, stderr);
+  assert.ok(existsSync(join(player, 'main.bundle.js')));
+});
 
 /** @param {string} src @param {string} more */
 const lesson = (src, more = '') => `<!doctype html><html lang="en"><head><title>Bones &amp; "air" &lt;b&gt;</title>
@@ -112,7 +124,7 @@ const server = createServer((request, response) => {
   let bytes;
   try {
     if (place === 'host') bytes = Buffer.from(host);
-    else if (place === 'player') bytes = readFileSync(join(projectRoot, 'node_modules/h5p-standalone/dist', path));
+    else if (place === 'player') bytes = readFileSync(join(player, path));
     else if (place === 'content') bytes = files[path];
     else if (place === 'page') bytes = readFileSync(join(work, 'page', path));
     else if (place === 'favicon.ico') bytes = Buffer.alloc(0);
