@@ -81,6 +81,7 @@ test.use({ viewport: { width: 940, height: 620 } });
 test('from a folder of DICOM to a lesson of five steps and two questions, played in a course with a score', async ({
   page,
 }) => {
+  test.setTimeout(300_000); // Quiet it takes 40 s; beside another test in software GL up to three times that.
   await page.goto(address);
   await expect(page.getByRole('heading', { name: 'Make a lesson from a scan' })).toBeVisible();
   await dropFolder(page, dicomHead());

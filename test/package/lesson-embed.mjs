@@ -118,11 +118,19 @@ await check(
     assert.ok(new Set(inFrame.data).size > 20, 'a picture, and not one colour');
     assert.deepEqual([inFrame.width, inFrame.height], [asPage.width, asPage.height]);
     assert.equal(difference(inFrame, asPage), 0);
-    await page.evaluate(() => frames[0].postMessage({ volumeView: 1, id: 1, step: 2 }, '*'));
+    await page.evaluate(() => {
+      frames[0].postMessage({ volumeView: 1, id: 1, step: 2 }, '*');
+      frames[0].postMessage({ volumeView: 1, id: 2, get: true }, '*');
+    });
     await frame.getByRole('heading', { name: 'Second' }).waitFor();
     const heard = /** @type {any[]} */ (await page.evaluate('heard'));
     assert.ok(heard.some((one) => one.message === 'height' && one.secret === 'a1b2c3d4e5' && one.value > 200));
     assert.ok(heard.some((one) => one.id === 1 && one.ok === true));
+    await page.waitForFunction('heard.some(({ id }) => id === 2)');
+    const { attributes, steps } = /** @type {any} */ (await page.evaluate('heard.find(({ id }) => id === 2)'));
+    assert.equal(typeof attributes.alt, 'string');
+    assert.equal(attributes.src, undefined, 'the data are inside the address');
+    assert.ok(steps > 1);
     assert.deepEqual(problems, []);
   },
 );

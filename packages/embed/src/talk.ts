@@ -96,12 +96,13 @@ const findTour = (): Tour | null => document.querySelector<Tour>('volume-tour');
 
 const isShown = (): boolean => Boolean(findView()?.volume);
 
-/** The attributes of the view, and those of the camera as a reader has turned it. */
+/** The attributes of the view, and those of the camera as a reader has turned it. Without addresses that have megabytes of data inside. */
 function readAttributes(): Record<string, string> {
   const view = findView();
   if (!view) return {};
   const own = Object.fromEntries([...view.attributes].map(({ name, value }) => [name, value]));
-  return { ...own, ...view.getView?.() };
+  const all = Object.entries({ ...own, ...view.getView?.() });
+  return Object.fromEntries(all.filter(([, text]) => !/^\s*data:/i.test(text)));
 }
 
 function readStep(): { step: number | null; steps: number | null } {
