@@ -127,7 +127,7 @@ await check(
     assert.ok(heard.some((one) => one.message === 'height' && one.secret === 'a1b2c3d4e5' && one.value > 200));
     assert.ok(heard.some((one) => one.id === 1 && one.ok === true));
     await page.waitForFunction('heard.some(({ id }) => id === 2)');
-    const { attributes, steps } = /** @type {any} */ (await page.evaluate('heard.find(({ id }) => id === 2)'));
+    const { attributes, steps } = await page.evaluate('heard.find(({ id }) => id === 2)');
     assert.equal(typeof attributes.alt, 'string');
     assert.equal(attributes.src, undefined, 'the data are inside the address');
     assert.ok(steps > 1);
