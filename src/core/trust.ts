@@ -7,21 +7,27 @@ interface PolicyFactory {
   createPolicy(name: string, rules: TextPolicy): TextPolicy;
 }
 
-let policy: TextPolicy | undefined;
+/**
+ * A function that marks texts as trusted, for pages that use Trusted Types.
+ * @param name - of the policy, which such a page has to allow
+ */
+export function makeTrust(name: string): (text: string, kind: keyof TextPolicy) => string {
+  let policy: TextPolicy | undefined;
+  const asItIs = (own: string): string => own;
+  return (text, kind) => {
+    try {
+      policy ??= (globalThis as { trustedTypes?: PolicyFactory }).trustedTypes?.createPolicy(name, {
+        createScriptURL: asItIs,
+        createHTML: asItIs,
+      });
+    } catch {
+      // The page does not allow a policy of this name. It may work without one.
+    }
+    return policy ? policy[kind](text) : text;
+  };
+}
 
 /**
- * Mark a text of this package or of x3dom as trusted, for pages that use Trusted Types. Never pass a text from a file, an attribute or an
- * element.
+ * Mark a text of this package or of x3dom as trusted. Never pass a text from a file, an attribute or an element.
  */
-export function trust(text: string, kind: keyof TextPolicy): string {
-  const asItIs = (own: string): string => own;
-  try {
-    policy ??= (globalThis as { trustedTypes?: PolicyFactory }).trustedTypes?.createPolicy('volume-view', {
-      createScriptURL: asItIs,
-      createHTML: asItIs,
-    });
-  } catch {
-    // The page does not allow a policy of this name. It may work without one.
-  }
-  return policy ? policy[kind](text) : text;
-}
+export const trust = makeTrust('volume-view');

@@ -3,14 +3,13 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join } from 'node:path';
+import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
-import { difference, openLessonPage, pictureOf } from './lesson-pages.mjs';
+import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-embed-'));
@@ -31,32 +30,9 @@ const run = (...args) =>
 
 /** What the site shows. */
 let site = '';
-/** @type {Record<string, string>} */
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json' };
-const server = createServer((request, response) => {
-  const path = decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname);
-  let bytes;
-  try {
-    bytes = path === '/favicon.ico' ? Buffer.alloc(0) : readFileSync(join(work, path));
-  } catch {
-    bytes = undefined;
-  }
-  response.writeHead(bytes ? 200 : 404, { 'content-type': types[extname(path)] ?? 'application/octet-stream' });
-  response.end(bytes);
-});
-const other = createServer((request, response) =>
-  response
-    .writeHead(200, { 'content-type': 'text/html' })
-    .end(request.url === '/' ? `<!doctype html><title>A site</title>${site}` : ''),
-);
-/** @param {import('node:http').Server} one @returns {Promise<string>} */
-const listen = (one) =>
-  new Promise((resolve) =>
-    one.listen(0, '127.0.0.1', () =>
-      resolve(`http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (one.address()).port}`),
-    ),
-  );
-const [origin, otherOrigin] = [await listen(server), await listen(other)];
+const server = await serveFiles((path) => readFileSync(join(work, path)));
+const other = await serveFiles((path) => (path === '/' ? `<!doctype html><title>A site</title>${site}` : ''));
+const [origin, otherOrigin] = [server.origin, other.origin];
 
 await check('a lesson becomes a folder for frames, the same bytes each time; without an address it is refused', () => {
   const { status, stdout, stderr } = run('--as', 'embed', '--address', `${origin}/out`, '--out', 'out');

@@ -3,15 +3,14 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join } from 'node:path';
+import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
-import { difference, openLessonPage, pictureOf } from './lesson-pages.mjs';
+import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-h5p-'));
@@ -116,26 +115,13 @@ const host = `<!doctype html><title>H5P</title><style>body { margin: 0 } #place 
   }).then(() => H5P.externalDispatcher.on('xAPI', ({ data }) => statements.push(JSON.parse(JSON.stringify(data.statement)))));
 </script>`;
 
-/** @type {Record<string, string>} */
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json' };
-const server = createServer((request, response) => {
-  const [, place, ...rest] = decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname).split('/');
+const { origin, close } = await serveFiles((address) => {
+  const [, place, ...rest] = address.split('/');
   const path = rest.join('/');
-  let bytes;
-  try {
-    if (place === 'host') bytes = Buffer.from(host);
-    else if (place === 'player') bytes = readFileSync(join(player, path));
-    else if (place === 'content') bytes = files[path];
-    else if (place === 'page') bytes = readFileSync(join(work, 'page', path));
-    else if (place === 'favicon.ico') bytes = Buffer.alloc(0);
-  } catch {
-    bytes = undefined;
-  }
-  const type = place === 'host' ? 'text/html' : (types[extname(path)] ?? 'application/octet-stream');
-  response.writeHead(bytes ? 200 : 404, { 'content-type': type }).end(bytes);
+  if (place === 'host') return host;
+  if (place === 'player') return readFileSync(join(player, path));
+  return place === 'page' ? readFileSync(join(work, 'page', path)) : files[path];
 });
-await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
-const origin = `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}`;
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
 
 await check(
@@ -250,5 +236,5 @@ await check('what an author of H5P may not bring in is refused: the page says so
 });
 
 await browser.close();
-server.close();
+close();
 finish();

@@ -1,5 +1,7 @@
 // Pages of lessons in a browser, and their pictures: for the tests of what the writers of lessons make.
 import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
+import { extname } from 'node:path';
 import { decode } from 'fast-png';
 
 /**
@@ -55,4 +57,36 @@ export function difference(a, b) {
       Math.max(max, Math.abs(x - b.data[i])),
     0,
   );
+}
+
+/** @type {Record<string, string>} */
+const types = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.webp': 'image/webp',
+};
+
+/**
+ * A server of files on this machine.
+ * @param {(path: string) => Uint8Array | string | undefined} find - gives the file of a path, which begins with `/`; undefined, or a throw, is a 404.
+ * A text is HTML.
+ * @returns {Promise<{ origin: string, close: () => void }>}
+ */
+export async function serveFiles(find) {
+  const server = createServer((request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname);
+    let found;
+    try {
+      found = path === '/favicon.ico' ? Buffer.alloc(0) : find(path);
+    } catch {
+      found = undefined;
+    }
+    const type = typeof found === 'string' ? 'text/html' : (types[extname(path)] ?? 'application/octet-stream');
+    response.writeHead(found === undefined ? 404 : 200, { 'content-type': type }).end(found);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  return { origin: `http://127.0.0.1:${port}`, close: () => server.close() };
 }

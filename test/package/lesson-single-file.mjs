@@ -3,16 +3,15 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join } from 'node:path';
+import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from '@playwright/test';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { engine as firefox } from '../engines/firefox.mjs';
 import { check, finish } from './checks.mjs';
-import { difference, openLessonPage, pictureOf } from './lesson-pages.mjs';
+import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-single-'));
@@ -110,21 +109,7 @@ await check(
   },
 );
 
-/** @type {Record<string, string>} */
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.webp': 'image/webp' };
-const server = createServer((request, response) => {
-  const path = decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname);
-  let bytes;
-  try {
-    bytes = path === '/favicon.ico' ? Buffer.alloc(0) : readFileSync(join(work, path));
-  } catch {
-    bytes = undefined;
-  }
-  response.writeHead(bytes ? 200 : 404, { 'content-type': types[extname(path)] ?? 'application/octet-stream' });
-  response.end(bytes);
-});
-await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
-const origin = `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}`;
+const { origin, close } = await serveFiles((path) => readFileSync(join(work, path)));
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
 
 const views = ['#brain', '#storm'];
@@ -197,5 +182,5 @@ for (const address of [served, onDisk]) {
   });
 }
 
-server.close();
+close();
 finish();

@@ -3,16 +3,15 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join } from 'node:path';
+import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
-import { difference, openLessonPage, pictureOf } from './lesson-pages.mjs';
+import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-lesson-'));
@@ -141,28 +140,14 @@ const lms = (/** @type {string} */ version) => `<!doctype html><title>LMS</title
 </script>
 <iframe src="/${version === '1.2' ? 'first' : 'second'}/index.html" allow="fullscreen"></iframe>`;
 
-/** @type {Record<string, string>} */
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css' };
-const server = createServer((request, response) => {
-  const [, place, ...rest] = decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname).split('/');
+const { origin, close } = await serveFiles((address) => {
+  const [, place, ...rest] = address.split('/');
   const path = rest.join('/');
-  let bytes;
-  try {
-    if (place === 'lms')
-      bytes = path.endsWith('.js')
-        ? readFileSync(join(projectRoot, 'node_modules/scorm-again/dist', path.replace('.js', '.min.js')))
-        : Buffer.from(lms(path));
-    else bytes = served[place]?.(path);
-  } catch {
-    bytes = undefined;
-  }
-  const type =
-    place === 'lms' && !path.endsWith('.js') ? 'text/html' : (types[extname(path)] ?? 'application/octet-stream');
-  if (place === 'favicon.ico') bytes = Buffer.alloc(0);
-  response.writeHead(bytes ? 200 : 404, { 'content-type': type }).end(bytes);
+  if (place !== 'lms') return served[place]?.(path);
+  return path.endsWith('.js')
+    ? readFileSync(join(projectRoot, 'node_modules/scorm-again/dist', path.replace('.js', '.min.js')))
+    : lms(path);
 });
-await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
-const origin = `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}`;
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
 
 const newPage = () => openLessonPage(browser, origin);
@@ -324,5 +309,5 @@ await check('the manifests are well-formed XML, whatever titles, licences and cr
 });
 
 await browser.close();
-server.close();
+close();
 finish();

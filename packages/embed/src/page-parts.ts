@@ -1,4 +1,5 @@
 // Parts of the page. All texts are set as texts.
+import { makeTrust } from '../../../src/core/trust.ts';
 import { english } from './words.ts';
 
 const main = (): HTMLElement => document.querySelector('main')!;
@@ -33,25 +34,8 @@ let player: Promise<void> | null = null;
 /** The folder that the page's own script is in. */
 const folder = (document.currentScript as HTMLScriptElement | null)?.src;
 
-interface Policies {
-  createPolicy(name: string, rules: Record<string, (text: string) => string>): Record<string, (text: string) => string>;
-}
-
-const asItIs = (text: string): string => text;
-let policy: Record<string, (text: string) => string> | undefined;
-
-/** For pages with Trusted Types: marks the address of the element, and a lesson that the browser's parser reads without running anything. */
-export function trust(text: string, kind: 'createScriptURL' | 'createHTML'): string {
-  try {
-    policy ??= (globalThis as { trustedTypes?: Policies }).trustedTypes?.createPolicy('volume-view-embed', {
-      createScriptURL: asItIs,
-      createHTML: asItIs,
-    });
-  } catch {
-    // The page does not allow a policy of this name. It may work without one.
-  }
-  return policy ? policy[kind](text) : text;
-}
+/** Marks the address of the element, and a lesson that the browser's parser reads without running anything. */
+export const trust = makeTrust('volume-view-embed');
 
 /** Load the element: not before it is needed. */
 export function loadPlayer(): Promise<void> {

@@ -16,6 +16,7 @@ import {
   playerFolder,
   sortFiles,
   writeCredits,
+  writeDocument,
   writePage,
   writePageFiles,
 } from './write-page.ts';
@@ -135,23 +136,17 @@ function writeOembed({ title, credits, licence }: Lesson, place: string, poster:
 /** The page of the frame at first: the poster, a link to the lesson, and whose data they are. It loads nothing else. */
 function writePosterPage(lesson: Lesson, { address, alt }: Poster): string {
   const { title, language } = lesson;
-  return `<!doctype html>
-<html lang="${escapeMarkup(language)}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${escapeMarkup(title)}</title>
-<meta http-equiv="Content-Security-Policy" content="${posterPolicy}">
+  return writeDocument(
+    lesson,
+    `<meta http-equiv="Content-Security-Policy" content="${posterPolicy}">
 <link rel="stylesheet" href="${playerFolder}embed.css">
-</head>
-<body>
-<main>
+`,
+    `<main>
 <div class="poster"><img src="${address}" alt="${escapeMarkup(alt || title)}"><a href="embed-lesson.html">${wordOfShow([language])}</a></div>
 <footer class="credits">
 ${writeCredits(lesson)}</footer>
 </main>
 <script src="${playerFolder}embed.js" data-page="poster" data-next="embed-lesson.html"></script>
-</body>
-</html>
-`;
+`,
+  );
 }

@@ -104,7 +104,20 @@ export function checkLesson(lesson: Lesson): readonly LessonNode[] {
 
 /** The page of a lesson, with its licence and credits below it. */
 export function writePage(lesson: Lesson, nodes: readonly LessonNode[], form: PageForm): string {
-  const { title, language, licence, credits } = lesson;
+  return writeDocument(
+    lesson,
+    form.head,
+    `<main>
+${writeContent(lesson, nodes, form)}
+</main>
+<footer class="credits">
+${writeCredits(lesson)}</footer>
+${form.end}`,
+  );
+}
+
+/** A document about a lesson. @param head - HTML at the end of the head */
+export function writeDocument({ title, language, licence, credits }: Lesson, head: string, body: string): string {
   return `<!doctype html>
 <html lang="${escapeMarkup(language)}">
 <head>
@@ -113,14 +126,9 @@ export function writePage(lesson: Lesson, nodes: readonly LessonNode[], form: Pa
 <title>${escapeMarkup(title)}</title>
 <meta name="author" content="${escapeMarkup(credits)}">
 <meta name="license" content="${escapeMarkup(licence)}">
-${form.head}</head>
+${head}</head>
 <body>
-<main>
-${writeContent(lesson, nodes, form)}
-</main>
-<footer class="credits">
-${writeCredits(lesson)}</footer>
-${form.end}</body>
+${body}</body>
 </html>
 `;
 }
