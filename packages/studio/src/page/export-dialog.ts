@@ -13,7 +13,8 @@ import { aboutField } from './about-panel.ts';
 import { textField } from './fields.ts';
 import { icon } from './icons.ts';
 import { drawPoster } from './painter.ts';
-import type { Studio, Tab } from './studio.ts';
+import type { Tab } from './before.ts';
+import type { Studio } from './studio.ts';
 
 /** What the author chose, as long as the page is open. */
 const chosen = { kind: 'page' as ExportKind, pass: '', address: '', said: '', isBusy: false };

@@ -13,7 +13,7 @@ import { renderStage } from './stage.ts';
 import { renderStart } from './start-screen.ts';
 import { renderSteps } from './steps-panel.ts';
 import { Studio } from './studio.ts';
-import type { Before, Tab } from './studio.ts';
+import type { Before, Tab } from './before.ts';
 
 const place = document.querySelector<HTMLElement>('#studio')!;
 const painter = new Painter(() => studio.draw());

@@ -21,36 +21,10 @@ import type { LessonData } from '../data/prepare.ts';
 import { loadSample } from '../data/samples.ts';
 import type { Sample } from '../data/samples.ts';
 import { english } from '../words.ts';
+import { startBefore } from './before.ts';
+import type { Before, Placing } from './before.ts';
 import { applyView, findPicture, findSource, readCamera } from './view-element.ts';
 import type { Home, View } from './view-element.ts';
-
-export type Tab = 'steps' | 'look' | 'cut' | 'notes' | 'about';
-
-/** What waits for a click on the picture. */
-export interface Placing {
-  readonly kind: 'note' | 'question';
-  /** null for a new note. */
-  readonly id: string | null;
-}
-
-/** What is before the author, and is no part of the lesson. */
-export interface Before {
-  readonly screen: 'opening' | 'start' | 'edit';
-  readonly tab: Tab;
-  readonly step: string | null;
-  readonly note: string | null;
-  readonly placing: Placing | null;
-  readonly dialog: 'export' | 'preview' | 'again' | null;
-  /** What takes a while, in words. */
-  readonly busy: string | null;
-  /** What went wrong, in words. */
-  readonly problem: string | null;
-  /** The last thing that happened, in words. */
-  readonly said: string;
-  readonly keeping: 'kept' | 'keeping' | 'not-kept';
-  /** Whether a scan was opened and is not yet that of the lesson. */
-  readonly hasSource: boolean;
-}
 
 /** How an edit is done. */
 interface EditOptions {
@@ -66,19 +40,7 @@ const keepAfter = 300;
 export class Studio {
   readonly words = english;
   history: History<Lesson> = startHistory(emptyLesson);
-  before: Before = {
-    screen: 'opening',
-    tab: 'steps',
-    step: null,
-    note: null,
-    placing: null,
-    dialog: null,
-    busy: null,
-    problem: null,
-    said: '',
-    keeping: 'kept',
-    hasSource: false,
-  };
+  before: Before = startBefore;
   data: LessonData | null = null;
   home: Home | null = null;
   /** An element that gets the focus after the page was drawn again, by its selector. */
