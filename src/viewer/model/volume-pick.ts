@@ -93,7 +93,7 @@ export interface PickedSurface {
 export interface LayerValue {
   /** The name of the volume; '' where it has none. */
   readonly name: string;
-  /** Interpolated; null where it has no data. */
+  /** Of a channel the value of the nearest voxel that has data, of another volume interpolated; null where it has no data. */
   readonly value: number | null;
   /** Unit of its values, or ''. */
   readonly unit: string;

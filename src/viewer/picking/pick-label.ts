@@ -1,9 +1,9 @@
-import { interpolate } from '../../optics/rays/interpolate.ts';
 import { voteOfCorners } from '../../optics/rays/vote.ts';
 import { nameInFile } from '../../volume/labels.ts';
 import type { ShownLabels } from '../../volume/labels.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
+import { nearestVoxel } from './pick-voxel.ts';
 import type { ViewLabels } from '../model/view-labels.ts';
 import type { ViewOverlay } from '../model/view-overlay.ts';
 import type { LayerValue, VolumePick } from '../model/volume-pick.ts';
@@ -28,11 +28,16 @@ export function labelOf(
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
 }
 
-/** The values of a volume's channels at a place, and of the layer over it; nothing where it has neither. @param place - in the unit cube */
+/**
+ * The values of a volume's channels at a place, and of the layer over it; nothing where it has neither. A channel has the grid of its volume, so
+ * its value is that of a voxel, as in a slice.
+ * @param place - in the unit cube
+ */
 export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
+  const { grid } = volume;
   const channels = volume.channels?.list.map(({ number, name, samples, slope, intercept }): LayerValue => {
-    const value = slope * interpolate(samples, volume.grid.dimensions, place) + intercept;
-    return { name, value: Number.isNaN(value) ? null : value, unit: '', channel: number };
+    const voxel = nearestVoxel({ grid, samples, slope, intercept }, place);
+    return { name, value: voxel?.value ?? null, unit: '', channel: number };
   });
   const layers = [...(channels ?? []), ...valueOf(overlay, place, volume)];
   return layers.length > 0 ? { layers } : {};
