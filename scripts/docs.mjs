@@ -1,13 +1,16 @@
 // `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element. The text comes from the comments of the
 // elements, from the types of their events and properties, and from the error codes. It also writes the map of the code, docs/develop/rooms.md
-// (map-rooms.mjs), the table of elements that a lesson may have, and the traits of the widget for notebooks. `--check` fails if a page is out of date, missing or no longer needed.
+// (map-rooms.mjs), the table of elements that a lesson may have, the traits of the widget for notebooks, and the
+// attributes and words of the plugin for WordPress. `--check` fails if a page is out of date, missing or no longer needed.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { mapRooms } from './map-rooms.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { templateFile, writeTemplate } from './wordpress-words.mjs';
 import { traitsFile, writeTraits } from './write-python-traits.mjs';
 import { readElements } from './write-tag-data.mjs';
+import { writeWordPressBlock } from './write-wordpress-block.mjs';
 
 /** @typedef {Record<string, any>} Entry - of the custom-elements manifest */
 
@@ -340,12 +343,18 @@ ${rows.join('')}};
 );
 const traitsPath = `../${traitsFile}`;
 wanted.set(traitsPath, writeTraits());
-present.push(...[tablePath, traitsPath].filter((path) => existsSync(join(folder, path))));
+const ofWordPress = writeWordPressBlock();
+for (const [path, text] of ofWordPress) wanted.set(`../${path}`, text);
+const generated = [tablePath, traitsPath, ...[...ofWordPress.keys(), templateFile].map((path) => `../${path}`)];
+present.push(...generated.filter((path) => existsSync(join(folder, path))));
 
 if (!process.argv.includes('--check')) {
   for (const [path, text] of wanted) writeFileSync(join(folder, path), text);
+  // The words of the plugin are read from its files, some of which were just written.
+  writeFileSync(join(projectRoot, templateFile), writeTemplate());
   for (const path of leftOver) rmSync(join(folder, path));
 } else {
+  wanted.set(`../${templateFile}`, writeTemplate());
   const stale = [...wanted]
     .filter(([path, text]) => !present.includes(path) || readFileSync(join(folder, path), 'utf8') !== text)
     .map(([path]) => path);

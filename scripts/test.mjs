@@ -89,6 +89,12 @@ const parts = [
     counts: true,
     after: 'Build: dist stays whole meanwhile',
   },
+  {
+    title: 'The plugin for WordPress',
+    args: ['test/package/wordpress.mjs'],
+    counts: true,
+    after: 'Docs: the reference is what the code says',
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {
