@@ -17,7 +17,7 @@ export const editorScript = 'block/editor.js';
 
 const string = `'((?:[^'\\\\]|\\\\.)*)'|"((?:[^"\\\\]|\\\\.)*)"`;
 const calls = new RegExp(
-  `(?:/\\* translators: (.*?) \\*/\\s*)?(?<![\\w$>])(?:__|_e|_x|esc_html__|esc_attr__|esc_html_e|esc_attr_e|esc_html_x)\\(\\s*(?:${string})\\s*(?:,\\s*(?:${string})\\s*)?(?:,\\s*(?:${string})\\s*)?,?\\s*\\)`,
+  `(?:/\\* translators: (.*?) \\*/\\s*(?:return )?(?:sprintf\\(\\s*)?)?(?<![\\w$>])(?:__|_e|_x|esc_html__|esc_attr__|esc_html_e|esc_attr_e|esc_html_x)\\(\\s*(?:${string})\\s*(?:,\\s*(?:${string})\\s*)?(?:,\\s*(?:${string})\\s*)?,?\\s*\\)`,
   'g',
 );
 

@@ -9,10 +9,11 @@ import { pathToFileURL } from 'node:url';
 import { gatherPlugin } from '../../scripts/build-wordpress.mjs';
 import { findOnPath } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
-import { listCalls, listSources } from '../../scripts/wordpress-words.mjs';
+import { listCalls, listSentences, listSources, readTranslations } from '../../scripts/wordpress-words.mjs';
 import { companions, leftAttributes, pluginFolder } from '../../scripts/write-wordpress-block.mjs';
 import { readElements } from '../../scripts/write-tag-data.mjs';
 import { check, finish } from './checks.mjs';
+import { checkUploads } from './wordpress-uploads.mjs';
 
 const root = join(projectRoot, pluginFolder);
 const tests = join(projectRoot, 'packages/wordpress/tests');
@@ -86,6 +87,25 @@ await check('each sentence names the text domain, and the template has it', () =
   return `${count} sentences`;
 });
 
+await check('each translation is one of a sentence, and has its placeholders', () => {
+  const sentences = listSentences();
+  const key = (/** @type {{ context: string, text: string }} */ { context, text }) =>
+    context ? `${context}\u0004${text}` : text;
+  const places = (/** @type {string} */ text) => (text.match(/%(?:\d\$)?[sd]/g) ?? []).join();
+  // What the attributes mean comes from the element, and is long: it may stay in English.
+  const asked = sentences.filter((one) => !one.places.every((place) => /descriptions|volume-view\.php/.test(place)));
+  const notes = [...readTranslations()].map(([language, words]) => {
+    const all = new Set(['', ...sentences.map(key)]);
+    for (const [text, said] of words) {
+      assert.ok(all.has(text), `${language}: ${text}`);
+      if (text) assert.equal(places(said), places(text), text);
+    }
+    for (const one of asked) assert.ok(words.has(key(one)), `${language} lacks: ${one.text}`);
+    return `${language}: ${words.size} of ${sentences.length}`;
+  });
+  return notes.join(', ');
+});
+
 /** The elements of a page that the plugin may write, with their attributes. @type {Record<string, string[]>} */
 const allowedIn = {
   'volume-view': [...known, 'id'],
@@ -117,6 +137,7 @@ async function checkPrograms(php) {
       assert.equal(status, 0, stdout);
     }
   });
+  await checkUploads(php);
 }
 
 /** @param {string} php @param {string} wordPress */

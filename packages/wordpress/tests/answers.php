@@ -27,3 +27,4 @@ function attachment_url_to_postid( $url ) { return 'https://site.example/wp-cont
 function wp_get_original_image_url( $id ) { return 7 === $id ? 'https://site.example/wp-content/uploads/mosaic.png' : false; }
 
 function wp_cache_get( $name ) { return 'alloptions' === $name ? array( 'blog_charset' => 'UTF-8' ) : false; }
+function add_settings_section() {}

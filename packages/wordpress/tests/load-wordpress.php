@@ -13,6 +13,9 @@ define( 'ABSPATH', $root );
 define( 'WPINC', 'wp-includes' );
 define( 'WP_CONTENT_DIR', $root . 'wp-content' );
 define( 'WP_DEBUG', true );
+define( 'WP_PLUGIN_DIR', dirname( __DIR__ ) );
+define( 'WPMU_PLUGIN_DIR', dirname( __DIR__ ) );
+$wp_plugin_paths = array();
 error_reporting( E_ALL & ~E_DEPRECATED );
 set_error_handler(
 	function ( $level, $message, $file, $line ) {

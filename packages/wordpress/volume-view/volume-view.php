@@ -26,6 +26,9 @@ require __DIR__ . '/includes/scripts.php';
 require __DIR__ . '/includes/block.php';
 require __DIR__ . '/includes/shortcode.php';
 require __DIR__ . '/includes/post-embed.php';
+require __DIR__ . '/includes/check-file.php';
+require __DIR__ . '/includes/uploads.php';
+require __DIR__ . '/includes/settings.php';
 
 add_action(
 	'init',
