@@ -14,6 +14,7 @@ export const MAY_IMPORT = {
   messages: ['core'],
   volume: ['core'],
   optics: ['core', 'volume'],
+  bricks: ['volume', 'optics'],
   radar: ['core', 'volume', 'optics'],
   quality: ['core', 'volume', 'optics'],
   formats: ['core', 'volume', 'optics', 'radar'],

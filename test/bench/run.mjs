@@ -29,6 +29,7 @@ const programs = [
   'default-look',
   'codecs',
   'folder',
+  'bricks',
 ];
 
 /** What measures nothing runs only where it is named. */

@@ -1,0 +1,233 @@
+// What coarse bricks do to a picture, estimated from what is known of them: rays are cast through what is resident, and at each step
+// the values that the voxels may have there are put through the transfer function.
+import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
+import type { HiddenValues } from './hidden-values.ts';
+import { sumCount } from './span-sums.ts';
+import type { SpanSums } from './span-sums.ts';
+import { cellFinder, residentSampler } from './resident-field.ts';
+import type { Pyramid } from './pyramid.ts';
+
+/** What the estimate needs to know. */
+export interface DetailScene {
+  readonly pyramid: Pyramid;
+  /** The level of each cell (brick of level 0) that is resident. */
+  readonly levelOf: Uint8Array;
+  readonly rays: RaySetup;
+  readonly sums: SpanSums;
+  /** Length of a step in bounding diameters: the same as in the sums. */
+  readonly step: number;
+  /** What is known of the values near a place. */
+  readonly hidden: HiddenValues;
+  /** Rays across and down. */
+  readonly across: number;
+  /** Shifts rays within their pixels, 0..1. */
+  readonly shift?: readonly [number, number];
+}
+
+/** The estimate. Energies are sums over rays and four channels of squared differences, 0..1. */
+export interface DetailEstimate {
+  /** By cell * number of levels + level: how much less the energy is if the cell has this level; 0 from its present level on. */
+  readonly gains: Float64Array;
+  /** The root mean square of the differences over the rays that meet the volume, in 1/255. */
+  readonly rms: number;
+}
+
+/** A ray whose transmittance is below this shows nothing that comes behind. */
+const opaque = 1e-3;
+
+/** Share of a residual's variance that a few far values have: half of it, as measured in the bench. */
+const farShare = 0.5;
+
+/** Neighbouring voxels' residuals have the same sign over about so many voxels, times 2^level. */
+const correlated = 0.5;
+
+/** Estimates what the coarse bricks of a picture hide, and what finer ones would bring. */
+export function estimateDetail(scene: DetailScene): DetailEstimate {
+  const { pyramid, levelOf, rays, step, across, shift = [0.5, 0.5] } = scene;
+  const levels = pyramid.levels.length;
+  const gains = new Float64Array(levelOf.length * levels);
+  const tracer = traceRays(scene);
+  let [energy, covered] = [0, 0];
+  for (let row = 0; row < across; row++)
+    for (let column = 0; column < across; column++) {
+      const ray = rayThrough(rays, ((column + shift[0]) / across) * 2 - 1, 1 - ((row + shift[1]) / across) * 2);
+      const [enter, exit] = crossVolume(rays, ray);
+      const entry = Math.max(enter, rays.eyeT);
+      if (!(exit > entry)) continue;
+      const seen = tracer(ray, entry, exit, step / ray.lengthPerT);
+      if (!seen) continue;
+      covered++;
+      energy += addGains(seen, levels, gains);
+    }
+  return { gains, rms: 255 * Math.sqrt(energy / Math.max(1, 4 * covered)) };
+}
+
+/** What one ray says: for each cell that it meets, and each level up to its present one, its bias and its variance. */
+interface RayDetail {
+  readonly cells: readonly number[];
+  readonly present: readonly number[];
+  /** Cell by cell and level by level: four biases, then the sum of the variances of all channels. */
+  readonly found: Float64Array;
+}
+
+const perLevel = 5;
+
+/**
+ * Biases of a ray's cells add up, variances do too. What a cell brings is the part of the ray's whole energy that goes with it.
+ * @returns the energy of the ray
+ */
+function addGains({ cells, present, found }: RayDetail, levels: number, gains: Float64Array): number {
+  const total = new Float64Array(perLevel);
+  cells.forEach((_, n) => {
+    const at = (n * levels + present[n]) * perLevel;
+    for (let c = 0; c < perLevel; c++) total[c] += found[at + c];
+  });
+  cells.forEach((cell, n) => {
+    const now = (n * levels + present[n]) * perLevel;
+    for (let level = 0; level < present[n]; level++) {
+      const then = (n * levels + level) * perLevel;
+      let [shared, own] = [0, 0];
+      for (let c = 0; c < 4; c++) {
+        shared += (found[now + c] - found[then + c]) * total[c];
+        own += found[now + c] ** 2 - found[then + c] ** 2;
+      }
+      gains[cell * levels + level] += Math.max(0, found[now + 4] - found[then + 4] + Math.max(shared, own));
+    }
+  });
+  return total[4] + total[0] ** 2 + total[1] ** 2 + total[2] ** 2 + total[3] ** 2;
+}
+
+type Tracer = (
+  ray: { readonly point: readonly number[]; readonly direction: readonly number[] },
+  entry: number,
+  exit: number,
+  dt: number,
+) => RayDetail | null;
+
+/** Steps of a ray; longer rays are cut. */
+const maxSteps = 8192;
+
+/**
+ * Walks a ray twice: forward for what would reach the eye from each step if the hidden values were there, backward for what the resident
+ * levels show behind it. With both, the differences of all steps add up to the difference of the two rays, however large it is:
+ * C' - C = sum of T'_n (S'_n - S_n - (a'_n - a_n) B_n).
+ */
+function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
+  const levels = pyramid.levels.length;
+  const valueAt = residentSampler(pyramid, levelOf);
+  const cellAt = cellFinder(pyramid);
+  const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
+  const [shown, spreads] = [new Float64Array(4 * maxSteps), new Float64Array(sumCount * maxSteps)];
+  const [cellOf, blockOf] = [new Int32Array(maxSteps), new Int32Array(maxSteps)];
+  const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
+  /** What the hidden values of a level would show at a step; false where it hides nothing. */
+  const seeHidden = (n: number, level: number, into: Float64Array): boolean => {
+    const block = blockOf[n];
+    const [low, high, rms, max] = [
+      hidden.low(block),
+      hidden.high(block),
+      hidden.rms(block, level),
+      hidden.max(block, level),
+    ];
+    if (!(max > 0) || !(low <= high)) return false;
+    // Where the resident level shows no data, the middle of what may be there stands for it.
+    const center = Number.isNaN(values[n]) ? (low + high) / 2 : values[n];
+    const previous = n > 0 && !Number.isNaN(values[n - 1]) ? values[n - 1] : center;
+    meanOfHidden(sums, { center, previous, rms, max, low, high }, into);
+    return true;
+  };
+  return ({ point, direction }, entry, exit, dt) => {
+    const count = Math.min(maxSteps, Math.ceil((exit - entry) / dt));
+    let [through, used, last, isSeen] = [1, 0, NaN, false];
+    for (; used < count && through > opaque; used++) {
+      const t = entry + (used + 0.5) * dt;
+      const [x, y, z] = [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
+      const value = valueAt(x, y, z);
+      const cell = cellAt(x, y, z);
+      cellOf[used] = cell;
+      blockOf[used] = hidden.blockAt(x, y, z);
+      values[used] = value;
+      visible[used] = through;
+      means.fill(0);
+      if (!Number.isNaN(value)) sums.addMeans(Number.isNaN(last) ? value : last, value, 1, means);
+      for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];
+      if (levelOf[cell] === 0 || !seeHidden(used, levelOf[cell], spread)) spread.set(means);
+      spreads.set(spread, sumCount * used);
+      through *= 1 - spread[3];
+      isSeen ||= means[3] > 0 || spread[3] > 0;
+      last = value;
+    }
+    if (!isSeen) return null;
+    const cells: number[] = [];
+    const present: number[] = [];
+    const found: number[] = [];
+    const back = [0, 0, 0, 0];
+    for (let n = used - 1; n >= 0; n--) {
+      const cell = cellOf[n];
+      const level = levelOf[cell];
+      const own = 4 * n;
+      if (level > 0) {
+        let slot = cells.length - 1;
+        if (cells[slot] !== cell) {
+          slot = cells.indexOf(cell);
+          if (slot < 0) {
+            slot = cells.push(cell) - 1;
+            present.push(level);
+            for (let i = 0; i < levels * perLevel; i++) found.push(0);
+          }
+        }
+        for (let at = 1; at <= level; at++) {
+          if (at === level) spread.set(spreads.subarray(sumCount * n, sumCount * (n + 1)));
+          else if (!seeHidden(n, at, spread)) continue;
+          const start = (slot * levels + at) * perLevel;
+          const more = spread[3] - shown[own + 3];
+          let variance = 0;
+          for (let c = 0; c < 4; c++) {
+            found[start + c] += visible[n] * (spread[c] - shown[own + c] - more * back[c]);
+            // The variance of colour - opacity * what is behind.
+            const product = c < 3 ? spread[8 + c] : spread[7];
+            const square = spread[4 + c] - 2 * back[c] * product + back[c] ** 2 * spread[7];
+            variance += Math.max(0, square - (spread[c] - back[c] * spread[3]) ** 2);
+          }
+          if (hidden.max(blockOf[n], at) > 0)
+            found[start + 4] += visible[n] ** 2 * variance * Math.max(1, correlated * 2 ** at);
+        }
+      }
+      for (let c = 0; c < 4; c++) back[c] = shown[own + c] + (1 - shown[own + 3]) * back[c];
+    }
+    return { cells, present, found: Float64Array.from(found) };
+  };
+}
+
+/**
+ * Means over the values that voxels may have where a level shows `center`: two boxes around it, a wide one up to the largest residual, and a
+ * narrow one for the rest of the variance.
+ */
+function meanOfHidden(
+  sums: SpanSums,
+  {
+    center,
+    previous,
+    rms,
+    max,
+    low,
+    high,
+  }: {
+    readonly center: number;
+    readonly previous: number;
+    readonly rms: number;
+    readonly max: number;
+    readonly low: number;
+    readonly high: number;
+  },
+  into: Float64Array,
+): void {
+  const clamp = (value: number): number => Math.min(high, Math.max(low, value));
+  const far = Math.min(0.5, (3 * farShare * rms ** 2) / max ** 2);
+  const width = Math.sqrt((3 * Math.max(0, rms ** 2 - (far * max ** 2) / 3)) / (1 - far));
+  const [from, to] = [Math.min(previous, center), Math.max(previous, center)];
+  into.fill(0);
+  sums.addMeans(clamp(center - max), clamp(center + max), far, into);
+  sums.addMeans(clamp(from - width), clamp(to + width), 1 - far, into);
+}

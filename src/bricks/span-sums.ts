@@ -1,0 +1,62 @@
+import { emission } from '../optics/transfer/emission.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
+
+/** Bins over the range of values. */
+const bins = 2048;
+
+/**
+ * Sums over one step: red, green, blue and opacity of a step, premultiplied; then the squares of the colours, their products with the
+ * opacity, and the square of the opacity.
+ */
+export const sumCount = 11;
+
+/** Running sums over the values of a volume of what a step of a ray adds, so that means over spans of values take one subtraction. */
+export interface SpanSums {
+  /** Adds `weight` times the means over the values between two (stored values) to 11 numbers. */
+  addMeans(from: number, to: number, weight: number, into: Float64Array): void;
+}
+
+/**
+ * @param transferFunction - already brightened
+ * @param range - of the stored values
+ * @param stepRatio - length of a step in reference lengths, times the opacity factor
+ */
+export function sumSpans(
+  transferFunction: TransferFunction,
+  [low, high]: readonly [number, number],
+  { slope, intercept, stepRatio }: { readonly slope: number; readonly intercept: number; readonly stepRatio: number },
+): SpanSums {
+  const width = Math.max(high - low, 1e-30) / bins;
+  const running = new Float64Array((bins + 1) * sumCount);
+  for (let bin = 0; bin < bins; bin++) {
+    const [red, green, blue, extinction] = emission(transferFunction, slope * (low + (bin + 0.5) * width) + intercept);
+    const opacity = 1 - Math.exp(-extinction * stepRatio);
+    const share = extinction > 0 ? opacity / extinction : 0;
+    const seen = [red * share, green * share, blue * share, opacity];
+    const at = bin * sumCount;
+    for (let c = 0; c < 4; c++) {
+      running[at + sumCount + c] = running[at + c] + seen[c];
+      running[at + sumCount + 4 + c] = running[at + 4 + c] + seen[c] ** 2;
+      if (c < 3) running[at + sumCount + 8 + c] = running[at + 8 + c] + seen[c] * opacity;
+    }
+  }
+  const placeOf = (value: number): number => Math.min(bins, Math.max(0, (value - low) / width));
+  return {
+    addMeans: (from, to, weight, into) => {
+      // At least one bin, so that the difference of the sums is not lost.
+      const [a, b] = [placeOf(Math.min(from, to)), placeOf(Math.max(from, to))];
+      const begin = b - a < 1 ? Math.min(bins - 1, Math.max(0, (a + b) / 2 - 0.5)) : a;
+      const end = b - a < 1 ? begin + 1 : b;
+      const factor = weight / (end - begin);
+      const [i, j] = [Math.min(bins - 1, Math.floor(begin)), Math.min(bins - 1, Math.floor(end))];
+      const [p, q] = [begin - i, end - j];
+      for (let c = 0, at = i * sumCount, to = j * sumCount; c < sumCount; c++, at++, to++)
+        into[c] +=
+          factor *
+          (running[to] +
+            q * (running[to + sumCount] - running[to]) -
+            running[at] -
+            p * (running[at + sumCount] - running[at]));
+    },
+  };
+}

@@ -1,0 +1,177 @@
+// What coarse bricks hide, said before they are loaded, against pictures of the float64 reference with and without them.
+import { expect } from '@esm-bundle/chai';
+import { chooseBricks, describeBrick } from '../../../src/bricks/choose-bricks.ts';
+import { estimateDetail } from '../../../src/bricks/estimate-detail.ts';
+import type { DetailEstimate } from '../../../src/bricks/estimate-detail.ts';
+import { buildPyramid, countBricks, listBricks } from '../../../src/bricks/pyramid.ts';
+import { residentField } from '../../../src/bricks/resident-field.ts';
+import { hiddenByTable } from '../../../src/bricks/hidden-values.ts';
+import { measureResiduals } from '../../../src/bricks/residuals.ts';
+import { sumSpans } from '../../../src/bricks/span-sums.ts';
+import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
+import { setUpRays } from '../../../src/optics/rays/rays.ts';
+import { renderReference } from '../../../src/optics/reference.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
+import { axialIndexToWorld, boundingSphere, cartesianGrid } from '../../../src/volume/grid.ts';
+import { transformPoint } from '../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { longestEdgeShare } from '../../../src/volume/reference-length.ts';
+import { compareCovered } from '../../helpers/covered-error.ts';
+import { randomNumbers } from '../../helpers/synthetic.ts';
+
+const edge = 64;
+const side = 16;
+const grid = cartesianGrid([edge, edge, edge], axialIndexToWorld([edge, edge, edge], [1, 1, 1]));
+const { center, radius } = boundingSphere(grid);
+const camera = orbitCamera({ theta: 0.4, phi: 1.3, radius: framingDistance(radius, 0.6, 1) }, center, 0.6);
+const whole = setUpRays(grid, viewMatrix(camera), projectionMatrix(0.6, 1, 1, 2))!;
+
+/** A scene of whole numbers, with what is known beside it, and its true error at a level. */
+function sceneOf(value: (i: number, j: number, k: number) => number, look: string, rays = whole) {
+  const samples = new Uint8Array(edge ** 3);
+  let at = 0;
+  for (let k = 0; k < edge; k++)
+    for (let j = 0; j < edge; j++) for (let i = 0; i < edge; i++) samples[at++] = value(i, j, k);
+  const pyramid = buildPyramid({ dimensions: [edge, edge, edge], samples }, side);
+  const count = countBricks(pyramid, 0).reduce((a, b) => a * b);
+  const table = measureResiduals(pyramid, side / 2);
+  const transferFunction = parseTransferFunction(look, [0, 255]);
+  const referenceLength = longestEdgeShare(grid);
+  const scaling = { slope: 1, intercept: 0 };
+  const estimate = (levelOf: Uint8Array): DetailEstimate =>
+    estimateDetail({
+      pyramid,
+      levelOf,
+      rays,
+      sums: sumSpans(transferFunction, [0, 255], { ...scaling, stepRatio: 1 / referenceLength }),
+      step: 1 / rays.diameter,
+      hidden: hiddenByTable(table, grid.dimensions),
+      across: 32,
+    });
+  const draw = (levelOf: Uint8Array): Float64Array =>
+    renderReference(
+      {
+        grid,
+        samples,
+        ...scaling,
+        transferFunction,
+        referenceLength,
+        opacityFactor: 1,
+        lightFactor: 1,
+        stepLength: 1,
+        field: residentField(pyramid, levelOf, scaling),
+      },
+      rays,
+      28,
+      28,
+    );
+  const atLevel = (level: number): Uint8Array => new Uint8Array(count).fill(level);
+  const errorOf = (levelOf: Uint8Array): number => compareCovered(draw(levelOf), draw(atLevel(0)), 255).rms;
+  return { pyramid, estimate, errorOf, atLevel };
+}
+
+const random = randomNumbers(5);
+const noise = Uint8Array.from({ length: edge ** 3 }, () => 255 * random());
+const ball = (i: number, j: number, k: number): number => Math.hypot(i - 31.5, j - 31.5, k - 31.5) - 22;
+
+describe('What coarse bricks hide in a picture', () => {
+  const cases: Record<string, [(i: number, j: number, k: number) => number, string]> = {
+    'noise in fog': [(i, j, k) => noise[i + edge * (j + edge * k)], '0 #247 0, 255 #fd8 12%'],
+    'noise with a threshold': [
+      (i, j, k) => noise[i + edge * (j + edge * k)],
+      '0 #fd8 0, 180 #fd8 0, 220 #fd8 20%, 255 #fd8 20%',
+    ],
+    'an opaque ball': [
+      (i, j, k) => 120 - 60 * Math.tanh(ball(i, j, k) / 2),
+      '0 #247 0, 100 #247 2%, 130 #fd8 90%, 255 #fd8 100%',
+    ],
+    'a rough ball': [
+      (i, j, k) =>
+        Math.min(255, Math.max(0, 120 - 20 * ball(i, j, k) + 0.5 * (noise[i + edge * (j + edge * k)] - 127))),
+      '0 #247 0, 60 #247 1%, 255 #fd8 40%',
+    ],
+  };
+  for (const [name, [value, look]] of Object.entries(cases))
+    it(`is estimated within a factor of three: ${name}`, () => {
+      const { estimate, errorOf, atLevel } = sceneOf(value, look);
+      for (const level of [1, 2]) {
+        const said = estimate(atLevel(level)).rms;
+        const true_ = errorOf(atLevel(level));
+        expect(true_).to.be.above(0.5);
+        expect(said / true_).to.be.within(1 / 3, 3, `level ${level}: ${said} was said, ${true_} is true`);
+      }
+    });
+
+  it('is nothing in a volume whose voxels are all equal, and no brick brings anything', () => {
+    const { estimate, atLevel } = sceneOf(() => 100, '0 #247 0, 255 #fd8 12%');
+    const { rms, gains } = estimate(atLevel(2));
+    expect(rms).to.equal(0);
+    expect(gains.some(Boolean)).to.equal(false);
+  });
+
+  it('is nothing where the finest level is resident', () => {
+    const { estimate, atLevel } = sceneOf(...cases['noise in fog']);
+    expect(estimate(atLevel(0)).rms).to.equal(0);
+  });
+});
+
+describe('The next brick', () => {
+  const speck: Vector3 = [41, 22, 37];
+  const speckPlace = transformPoint(grid.indexToWorld, speck.map((n) => n + 0.5) as unknown as Vector3);
+
+  it('is the finest one with the only speck, which no coarser level shows', () => {
+    const look = '0 #fd8 0, 120 #fd8 0, 180 #fd8 100%, 255 #fd8 100%';
+    const { pyramid, estimate, errorOf, atLevel } = sceneOf(
+      (...at) => (at.every((n, axis) => n >= speck[axis] && n < speck[axis] + 2) ? 255 : 0),
+      look,
+      // From near, so that some rays of the small picture meet it.
+      setUpRays(grid, viewMatrix({ ...camera, target: speckPlace }), projectionMatrix(0.1, 1, 1, 2))!,
+    );
+    const levelOf = atLevel(2);
+    const candidates = [0, 1].flatMap((level) =>
+      listBricks(pyramid, level).map((brick) => describeBrick(pyramid, brick, 1000)),
+    );
+    const { gains } = estimate(levelOf);
+    const [first] = chooseBricks(pyramid, candidates, { gains, levelOf, count: 1 });
+    expect(first.brick).to.deep.equal({ level: 0, at: [2, 1, 2] });
+    // With it, the picture is the true one.
+    expect(errorOf(levelOf)).to.be.above(0.1);
+    levelOf[2 + 4 * (1 + 4 * 2)] = 0;
+    expect(errorOf(levelOf)).to.be.below(0.01);
+  });
+
+  it('is in front of what is opaque, not behind it', () => {
+    // Two rough slabs across the view, both opaque: the camera looks along -y.
+    const { pyramid, estimate, atLevel } = sceneOf(
+      (i, j, k) => ((j > 6 && j < 14) || (j > 50 && j < 58) ? 100 + 0.5 * noise[i + edge * (j + edge * k)] : 0),
+      '0 #247 0, 60 #247 0, 100 #247 80%, 255 #fd8 100%',
+    );
+    const { gains } = estimate(atLevel(2));
+    const inRow = (j: number): number => {
+      let sum = 0;
+      // In the middle: from the sides, rays pass the slab in front.
+      for (const k of [1, 2]) for (const i of [1, 2]) sum += gains[3 * (i + 4 * (j + 4 * k))];
+      return sum;
+    };
+    expect(inRow(0)).to.be.above(20 * inRow(3));
+    expect(pyramid.levels.length).to.equal(3);
+  });
+
+  it('costs few bytes where two bring the same, and is none that covers what another one covers', () => {
+    const { pyramid, estimate, atLevel } = sceneOf(
+      ...([(i, j, k) => noise[i + edge * (j + edge * k)], '0 #247 0, 255 #fd8 3%'] as Parameters<typeof sceneOf>),
+    );
+    const levelOf = atLevel(2);
+    const candidates = [0, 1].flatMap((level) =>
+      listBricks(pyramid, level).map((brick) =>
+        describeBrick(pyramid, brick, brick.level === 1 && brick.at[0] === 1 ? 100 : 1000),
+      ),
+    );
+    const { gains } = estimate(levelOf);
+    const chosen = chooseBricks(pyramid, candidates, { gains, levelOf, count: 1000 });
+    expect(chosen[0].brick.level).to.equal(1);
+    expect(chosen[0].brick.at[0]).to.equal(1);
+    const covered = chosen.flatMap(({ brick }) => describeBrick(pyramid, brick, 1).cells);
+    expect(new Set(covered).size).to.equal(covered.length);
+  });
+});
