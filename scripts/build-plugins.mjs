@@ -64,3 +64,14 @@ export const makeCodecModules = /** @type {import('vite').Plugin} */ ({
     return { code: `${unused}${code}\nexport default ${name};`, map: null };
   },
 });
+
+/**
+ * mediabunny without its part for Node, which names a module of Node: for that one a bundler puts its helpers for CommonJS into every page.
+ */
+export const leaveOutNode = /** @type {import('vite').Plugin} */ ({
+  name: 'volume-view-without-node',
+  enforce: 'pre',
+  resolveId: (id, importer) =>
+    id === './node.js' && /[\\/]mediabunny[\\/]/.test(importer ?? '') ? '\0mediabunny-without-node' : null,
+  load: (id) => (id === '\0mediabunny-without-node' ? 'export const fs = null;' : null),
+});

@@ -5,7 +5,7 @@ import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
 import { build, defaultClientConditions } from 'vite';
-import { makeCodecModules, stripTexts } from './build-plugins.mjs';
+import { leaveOutNode, makeCodecModules, stripTexts } from './build-plugins.mjs';
 import { licencesOfModules } from './licence-texts.mjs';
 import { playerFiles } from './player-files.mjs';
 import { projectRoot } from './shared-data.mjs';
@@ -30,7 +30,7 @@ async function buildScript(entry, conditions) {
     publicDir: false,
     logLevel: 'warn',
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
-    plugins: [stripTexts, makeCodecModules],
+    plugins: [stripTexts, makeCodecModules, leaveOutNode],
     build: {
       write: false,
       target: 'es2022',

@@ -23,7 +23,7 @@ import { join } from 'node:path';
 import { build, defaultClientConditions, normalizePath } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
 import { buildPrepare } from './build-prepare.mjs';
-import { exportText, makeCodecModules, provideBuilt, stripTexts } from './build-plugins.mjs';
+import { exportText, leaveOutNode, makeCodecModules, provideBuilt, stripTexts } from './build-plugins.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
@@ -98,7 +98,7 @@ async function bundle({ entry, format, output, extra, conditions = ['dist'], bui
     resolve: { conditions: [...conditions, ...defaultClientConditions] },
     // Vite would replace an expression with the real name by an address of the source.
     define: { OWN_URL: 'import.meta.url' },
-    plugins: [provideBuilt(built), stripTexts, makeCodecModules],
+    plugins: [provideBuilt(built), stripTexts, makeCodecModules, leaveOutNode],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -138,6 +138,7 @@ async function buildUnbundled(workers) {
       'built:openjpeg-wasm': await buildText(join(projectRoot, 'src/formats/codecs/openjpeg-wasm.ts'), 'es'),
       'built:charls-wasm': await buildText(join(projectRoot, 'src/formats/codecs/charls-wasm.ts'), 'es'),
       'built:culori': await buildText(join(projectRoot, 'src/optics/transfer/culori.ts'), 'es'),
+      'built:mediabunny': await buildText(join(projectRoot, 'src/formats/video/mediabunny.ts'), 'es'),
     },
     extra: {
       minify: false,
@@ -199,7 +200,7 @@ function buildTypes() {
 function writeLicences() {
   const { dependencies } = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
   const codecs = ['@cornerstonejs/codec-openjpeg', '@cornerstonejs/codec-charls'];
-  const text = licencesOfPackages([...Object.keys(dependencies), 'culori', ...codecs]);
+  const text = licencesOfPackages([...Object.keys(dependencies), 'culori', 'mediabunny', ...codecs]);
   writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), text);
 }
 

@@ -24,3 +24,8 @@ declare module 'built:x3dom' {
 declare module 'built:culori' {
   export * from 'culori/fn';
 }
+
+/** mediabunny.ts with all that it imports. */
+declare module 'built:mediabunny' {
+  export * from 'mediabunny';
+}

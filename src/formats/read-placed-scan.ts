@@ -1,7 +1,7 @@
 import type { DecodedVolume, DecodeSettings } from './base/decoded-volume.ts';
 import { loadReader } from './base/load-reader.ts';
 import { placeVolume } from './base/place-volume.ts';
-import { hasNumbers, hasSweeps } from './base/scan-data.ts';
+import { hasNumbers, hasSweeps, isFrame } from './base/scan-data.ts';
 import type { ScanData } from './base/scan-data.ts';
 import { readScan } from './series/read-scan.ts';
 import type { ScanAccess } from './series/read-scan.ts';
@@ -17,6 +17,12 @@ export async function readPlacedScan(
 ): Promise<DecodedVolume> {
   if (hasSweeps(scan))
     return (await loadReader(() => import('#rare/formats/radar/read-radar.ts'))).readSweepsAgain(
+      scan,
+      settings,
+      access,
+    );
+  if (isFrame(scan))
+    return (await loadReader(() => import('#rare/formats/manifest/read-frames.ts'))).readFrameAgain(
       scan,
       settings,
       access,

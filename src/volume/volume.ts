@@ -93,6 +93,21 @@ export interface SourceInfo {
   readonly count: number;
 }
 
+/** Sizes of differences. */
+export interface LossyError {
+  /** Root mean square. */
+  readonly rms: number;
+  /** 99 % are at most so large. */
+  readonly p99: number;
+  readonly max: number;
+}
+
+/** How far a volume is from the one before a lossy form, such as a video, was made of it: in data values. */
+export interface Lossy extends LossyError {
+  /** The same in a picture, 1/255. */
+  readonly picture?: LossyError;
+}
+
 /** Where a volume comes from: what its file says about it, and what was changed on its way. */
 export interface Provenance {
   /** The format of the file: 'NIfTI-1', 'PNG mosaic', ... */
@@ -111,6 +126,8 @@ export interface Provenance {
   readonly named?: readonly NamedLabel[];
   /** What of the file is not in it, or not as it is there, and changes what is seen, in words; absent where all is. */
   readonly left?: readonly string[];
+  /** Set where its manifest says what a lossy form changed. */
+  readonly lossy?: Lossy;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are those of the large one. */

@@ -4,7 +4,7 @@ import type { Budget } from '../formats/base/budget.ts';
 import { checkGeometry } from '../formats/base/check-geometry.ts';
 import { decodeFile } from '../formats/decode.ts';
 import type { DecodeContext } from '../formats/decode.ts';
-import { hasSweeps } from '../formats/base/scan-data.ts';
+import { hasSweeps, isFrame } from '../formats/base/scan-data.ts';
 import type { PlaceData, ScanData } from '../formats/base/scan-data.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 import { readPlaceOverTime } from '../formats/series/read-place-over-time.ts';
@@ -46,4 +46,5 @@ export async function decodeScan(
   return isOfPlace(data) ? readPlaceOverTime(data, access) : readPlacedScan(data, settings, access);
 }
 
-const isOfPlace = (data: ScanData | PlaceData): data is PlaceData => !hasSweeps(data) && Array.isArray(data.from);
+const isOfPlace = (data: ScanData | PlaceData): data is PlaceData =>
+  !hasSweeps(data) && !isFrame(data) && Array.isArray(data.from);

@@ -24,7 +24,7 @@ export function sendFiles(request: WorkerOrder['request'], signal: AbortSignal):
 
 /** Whether a scan is a part of a chosen file. @param base - of the URLs of chosen files */
 function namesFiles(data: NonNullable<LoadRequest['data']>, base: string): boolean {
-  return JSON.stringify('sweeps' in data ? data.sweeps : data.from).includes(base);
+  return JSON.stringify('sweeps' in data ? data.sweeps : 'from' in data && data.from).includes(base);
 }
 
 async function sendGroups(files: readonly unknown[], port: MessagePort, signal: AbortSignal): Promise<void> {

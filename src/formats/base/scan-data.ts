@@ -23,7 +23,17 @@ export type SeriesInfo = Omit<
  * One volume of a file, or of files, that hold several, as it is kept until it is shown. Readers make it when the file is opened, and a
  * page sends it back to the worker, so it is plain data.
  */
-export type ScanData = ScanOfVolume | ScanOfSweeps;
+export type ScanData = ScanOfVolume | ScanOfSweeps | ScanOfFrame;
+
+/** A frame of a video. Only the reader of manifests knows how. */
+export interface ScanOfFrame {
+  /** From 0. */
+  readonly frame: number;
+  /** The same object for all frames. */
+  readonly video: object;
+  /** What is said of this frame. */
+  readonly manifest: object;
+}
 
 /** The files of a radar's scan, each a sweep of one quantity. Only their reader knows how. */
 export interface ScanOfSweeps {
@@ -53,8 +63,11 @@ export const hasFiles = (from: ScanOfVolume['from']): from is ScanFiles => 'slic
 
 export const hasSweeps = (scan: ScanData | PlaceData): scan is ScanOfSweeps => 'sweeps' in scan;
 
+export const isFrame = (scan: ScanData | PlaceData): scan is ScanOfFrame => 'video' in scan;
+
 /** Whether the numbers of a volume lie one after another. */
-export const hasNumbers = (scan: ScanData): scan is ScanNumbers => !hasSweeps(scan) && !hasFiles(scan.from);
+export const hasNumbers = (scan: ScanData): scan is ScanNumbers =>
+  !hasSweeps(scan) && !isFrame(scan) && !hasFiles(scan.from);
 
 /** Some bytes of each of several volumes: the numbers of one place over all times. They are read as a volume of as many voxels. */
 export type PlaceData = Omit<ScanOfVolume, 'from'> & { readonly from: readonly ScanBytes[] };

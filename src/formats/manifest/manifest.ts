@@ -25,6 +25,8 @@ import type { ManifestSite, ManifestSweep } from '../base/radar-settings.ts';
 import type { RawLayout } from '../raw/raw-layout.ts';
 import { labels, pixel, prepared, yes } from './manifest-prepared.ts';
 import type { PreparedFields } from './manifest-prepared.ts';
+import { lossy } from './manifest-lossy.ts';
+import type { Lossy } from '../../volume/volume.ts';
 import { raw } from './manifest-raw.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json; a test compares that with this file. */
@@ -33,6 +35,8 @@ export interface Manifest extends PreparedFields {
   readonly image?: string;
   /** URLs of a stack, the files of one volume in their order: images, one slice each, or a header and its data. */
   readonly files?: readonly string[];
+  /** Instead of them, URL of a video: each frame is a mosaic. The scans, where there are some, are its frames. */
+  readonly video?: string;
   /** Set if the files have no header: how their numbers lie. */
   readonly raw?: RawLayout;
   readonly mosaic?: { readonly columns: number; readonly rows: number };
@@ -68,6 +72,8 @@ export interface Manifest extends PreparedFields {
   readonly time?: string;
   /** Values of single tiles that differ. */
   readonly sweeps?: readonly ManifestSweep[];
+  /** How far the values are from those before a lossy form, such as a video, was made. */
+  readonly lossy?: Lossy;
   /** Several volumes in the order of time; each includes what is the same for all. */
   readonly scans?: readonly Manifest[];
 }
@@ -87,8 +93,8 @@ export const maxScans = 10_000;
 export function readManifest(bytes: Uint8Array): Manifest {
   const { scans, ...fields } = parseObject(bytes);
   const shared = readFields(fields);
+  if (scans === undefined || shared.video !== undefined) checkSource(shared);
   if (scans === undefined) {
-    checkSource(shared);
     checkTime(shared);
     return { ...empty, ...shared };
   }
@@ -111,7 +117,7 @@ function readScans(scans: unknown, shared: Partial<Manifest>): Manifest[] {
     if (!isObject(scan) || scan.scans !== undefined)
       return fail('scans', scan, `{ "image": …, "time": … } at place ${i + 1}`);
     const own = readFields(scan, `scans[${i}].`);
-    checkSource(own, `scans[${i}].`);
+    checkScan(own, shared, `scans[${i}].`);
     const scanned = { ...empty, ...shared, ...own };
     checkTime(scanned, `scans[${i}].`);
     return scanned;
@@ -133,21 +139,47 @@ function checkTime({ elevations, time }: Partial<Manifest>, where = ''): void {
     failWith(`${where}time`, `"${time}"`, 'a time in UTC, because it is a scan of a radar');
 }
 
+/** The fields that say where the data are. */
+const sourceNames = ['image', 'files', 'video'] as const;
+
 /** @param where - goes before a field's name in an error message */
-function checkSource({ image, files }: Partial<Manifest>, where = ''): void {
-  if (image === undefined && files === undefined) {
+function checkSource(manifest: Partial<Manifest>, where = ''): void {
+  const [first, second] = sourceNames.filter((name) => manifest[name] !== undefined);
+  if (first === undefined) {
     failWith(
       `${where}image`,
       'nothing',
-      'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs',
+      'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs, or "video"',
     );
   }
-  if (image !== undefined && files !== undefined) fail(`${where}files`, files, 'none together with "image"');
+  if (second !== undefined) fail(where + second, manifest[second], `none together with "${first}"`);
+  if (first === 'video') checkFrame(manifest, where);
+}
+
+/** A scan has its own source, or is a frame of the video of all. @param where - goes before a field's name in an error message */
+function checkScan(own: Partial<Manifest>, { video }: Partial<Manifest>, where: string): void {
+  if (own.video !== undefined)
+    fail(
+      `${where}video`,
+      own.video,
+      'none in a scan: "video" stands beside "scans", and each scan is one of its frames',
+    );
+  if (video === undefined) return checkSource(own, where);
+  for (const name of ['image', 'files'] as const)
+    if (own[name] !== undefined)
+      fail(where + name, own[name], 'none together with "video": each scan is one of its frames');
+  checkFrame(own, where);
+}
+
+function checkFrame({ raw, channels }: Partial<Manifest>, where: string): void {
+  if (raw !== undefined) fail(`${where}raw`, raw, 'none together with "video"');
+  if (channels === 'high-low') fail(`${where}channels`, channels, '"gray": a video has one number for each pixel');
 }
 
 const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNullable<Manifest[Name]>> } = {
   image: filledText,
   files: filledTexts,
+  video: filledText,
   raw,
   mosaic: mosaicText,
   slices: count,
@@ -174,6 +206,7 @@ const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNu
   noData: pixel,
   anatomical: yes,
   prepared,
+  lossy,
 };
 
 /** All fields, each undefined. */

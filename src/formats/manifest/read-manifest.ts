@@ -11,6 +11,7 @@ import type { Manifest } from './manifest.ts';
 import { applyPrepared } from './manifest-prepared.ts';
 import type { RawLayout } from '../raw/raw-layout.ts';
 import { nameOf } from '../base/name-of.ts';
+import { describeVolume, mergeSettings, resolveFile } from './use-manifest.ts';
 
 /** Memory per character while a manifest is parsed: in `[[],[],` every three characters make a list. */
 const bytesPerCharacter = 32;
@@ -30,6 +31,10 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
   context.budget.take(input.bytes.length * bytesPerCharacter, 'the manifest');
   const { scans, ...single } = readManifest(input.bytes);
   context.budget.giveBack(input.bytes.length * bytesPerCharacter);
+  if (single.video !== undefined) {
+    const { openFrames } = await loadReader(() => import('./read-frames.ts'));
+    return openFrames(scans ?? single, input.url, settings, context);
+  }
   if (scans) context.onScans?.(scans.map(({ time }) => time));
   const manifest = scans
     ? scans[
@@ -75,39 +80,6 @@ function resolveFiles({ image, files }: Manifest, base: string): string[] {
   return files.map((file) => resolveFile('files', file, base));
 }
 
-function resolveFile(field: 'image' | 'files', file: string, base: string): string {
-  try {
-    const { protocol, href } = new URL(file, base);
-    if (/^(https?|data):$/.test(protocol)) return href;
-  } catch (cause) {
-    throw new VolumeViewError(
-      'manifest/invalid',
-      `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`,
-      { cause },
-    );
-  }
-  throw new VolumeViewError(
-    'manifest/invalid',
-    `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`,
-  );
-}
-
-function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {
-  return {
-    ...settings,
-    elevations: settings.elevations ?? manifest.elevations,
-    range: settings.range ?? manifest.range,
-    azimuth: settings.azimuth ?? manifest.azimuth,
-    moment: settings.moment ?? manifest.moment,
-    values: manifest,
-    mosaic: settings.mosaic ?? manifest.mosaic,
-    slices: settings.slices ?? manifest.slices,
-    channels: manifest.channels,
-    spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
-    indexToWorld: manifest.indexToWorld,
-  };
-}
-
 /** A part of the data looks as the whole will. */
 function openDescribed({ openList }: ReadContext, manifest: Manifest): ReadContext['openList'] {
   return (
@@ -124,22 +96,4 @@ function openDescribed({ openList }: ReadContext, manifest: Manifest): ReadConte
       };
     })
   );
-}
-
-/** Adds to a volume what its manifest says about the values. */
-function describeVolume<T extends DecodedVolume>(volume: T, manifest: Manifest): T {
-  const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
-  const isRescaled = slope !== 1 || intercept !== 0;
-  return {
-    ...volume,
-    slope: slope * volume.slope,
-    intercept: slope * volume.intercept + intercept,
-    unit: unit ?? volume.unit,
-    // A file's own windows are in its own values.
-    window: window ?? (isRescaled ? undefined : volume.window),
-    windows: isRescaled ? undefined : volume.windows,
-    transferFunction,
-    title,
-    credit,
-  };
 }

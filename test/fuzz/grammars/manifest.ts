@@ -63,7 +63,8 @@ export const manifest: Grammar = (random) => {
 
 function makeObject(random: Random, kind: string): unknown {
   const shared = {
-    ...chooseFields(random, root, ['image', 'files', 'scans', 'raw', 'mosaic', 'elevations', 'sweeps']),
+    ...chooseFields(random, root, [...sourceFields, 'mosaic', 'elevations', 'sweeps', 'lossy']),
+    ...(random.chance(0.2) ? { lossy: makeLossy(random) } : {}),
     mosaic: random.or('3x2', '1x1', '99999x99999', '12x12'),
   };
   const image = random.or(
@@ -89,6 +90,13 @@ function makeObject(random: Random, kind: string): unknown {
     : undefined;
   // All tiles are sweeps.
   return { ...shared, slices: undefined, image, elevations, range: [random.number(250), random.number(500)], sweeps };
+}
+
+const sourceFields = ['image', 'files', 'video', 'scans', 'raw'];
+
+function makeLossy(random: Random): unknown {
+  const error = { rms: random.number(1), p99: random.number(2), max: random.number(3) };
+  return random.or(error, { ...error, picture: error }, { rms: 1 }, 'much');
 }
 
 function makeRaw(random: Random): unknown {

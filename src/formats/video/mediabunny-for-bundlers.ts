@@ -1,0 +1,2 @@
+// In place of mediabunny.ts, in the modules for bundlers: it is a small part of a large package, which users of this one need not install.
+export * from 'built:mediabunny';
