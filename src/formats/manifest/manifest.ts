@@ -162,7 +162,7 @@ function checkScan(own: Partial<Manifest>, { video }: Partial<Manifest>, where: 
     fail(
       `${where}video`,
       own.video,
-      'none in a scan: "video" stands beside "scans", and each scan is one of its frames',
+      'none in a scan: "video" and "scans" stand together, and each scan is one of its frames',
     );
   if (video === undefined) return checkSource(own, where);
   for (const name of ['image', 'files'] as const)

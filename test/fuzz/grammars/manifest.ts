@@ -96,7 +96,7 @@ const sourceFields = ['image', 'files', 'video', 'scans', 'raw'];
 
 function makeLossy(random: Random): unknown {
   const error = { rms: random.number(1), p99: random.number(2), max: random.number(3) };
-  return random.or(error, { ...error, picture: error }, { rms: 1 }, 'much');
+  return random.or<unknown>(error, { ...error, picture: error }, { rms: 1 }, 'much');
 }
 
 function makeRaw(random: Random): unknown {

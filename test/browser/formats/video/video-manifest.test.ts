@@ -121,10 +121,8 @@ describe('a manifest with a video', () => {
     // No worker, and a page without WebCodecs, as on http.
     endSpare();
     Object.assign(globalThis, {
-      Worker: class {
-        constructor() {
-          throw new DOMException('no workers', 'SecurityError');
-        }
+      Worker: function refuse() {
+        throw new DOMException('no workers', 'SecurityError');
       },
     });
     Reflect.deleteProperty(globalThis, 'VideoDecoder');
