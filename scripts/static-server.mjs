@@ -60,10 +60,11 @@ function sendFile(response, path, { root, headers = {} }) {
 /**
  * @param {import('node:http').ServerResponse} response
  * @param {Uint8Array} bytes
+ * @param {string} [type]
  */
-function sendBytes(response, bytes) {
+function sendBytes(response, bytes, type = 'application/octet-stream') {
   const headers = {
-    'content-type': 'application/octet-stream',
+    'content-type': type,
     'content-length': bytes.length,
     'cache-control': 'no-store',
   };
@@ -124,7 +125,8 @@ export async function startStaticServer({
   const own = await listen((request, response) => {
     const path = readPath(request.url);
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers request it by themselves; a 404 would be a console message.
-    else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
+    else if (Object.hasOwn(made, path))
+      sendBytes(response, made[path](), path.endsWith('.html') ? TYPES['.html'] : undefined);
     else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
     else if (pages.has(request.url ?? ''))
       response

@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import {
   expect,
+  fewPixels,
   fieldUrl,
   forgetEvents,
   keptTest as test,
@@ -26,6 +27,8 @@ const degrees = (page: Page): Promise<{ theta: number; phi: number; radius: numb
     const { theta, phi, radius } = camera!.orbit;
     return { theta: (theta * 180) / Math.PI, phi: (phi * 180) / Math.PI, radius };
   });
+
+test.use(fewPixels);
 
 test.describe('ways', () => {
   test('an attribute sends the camera on a way that passes between, and does not report that a person moved it; pictures wait for its end', async ({

@@ -7,7 +7,7 @@ import { findFaults } from './helpers/axe.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { attributesOf } from './helpers/reference.ts';
-import { ballUrl, expect, fieldUrl, open, settle, keptTest as test } from './helpers/harness.ts';
+import { ballUrl, expect, fewPixels, fieldUrl, keptTest as test, open, settle } from './helpers/harness.ts';
 import { serve, urls, look } from './helpers/scans.ts';
 
 /** Red everywhere in the first view, blue in the second: the whole box is inside the volume. */
@@ -40,6 +40,8 @@ function viewAt({ data, width, height }: Picture, share: number): 'first' | 'sec
   const [red, , blue] = data.slice(at, at + 3);
   return red > blue + 60 ? 'first' : blue > red + 60 ? 'second' : 'none';
 }
+
+test.use(fewPixels);
 
 test.describe('under a divider', () => {
   for (const dir of ['ltr', 'rtl'] as const) {

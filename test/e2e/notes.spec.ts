@@ -4,13 +4,14 @@ import { findFaults } from './helpers/axe.ts';
 import { attributesOf } from './helpers/reference.ts';
 import {
   expect,
+  fewPixels,
   fieldUrl,
   forgetEvents,
+  keptTest as test,
   open,
   settle,
   takePicture,
   test as ownPage,
-  keptTest as test,
   waitForEvent,
   withElement,
 } from './helpers/harness.ts';
@@ -44,6 +45,8 @@ const middleOfPin = (page: Page, n = 0): Promise<[number, number]> =>
     const [pin, box] = [host.shadowRoot!.querySelectorAll('.pin')[n], host].map((one) => one.getBoundingClientRect());
     return [pin.x + pin.width / 2 - box.x, pin.y + pin.height / 2 - box.y];
   }, n);
+
+test.use(fewPixels);
 
 test.describe('notes', () => {
   test('are buttons in the order of the page, and open with a click, a tap elsewhere, Enter and Escape', async ({

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import type { Frame, Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
-import { expect, networkLines, test } from './helpers/harness.ts';
+import { expect, fewPixels, networkLines, test } from './helpers/harness.ts';
 
 /** The blocks of a language in a Markdown file, also in lists. */
 function readBlocks(path: string, language: string): string[] {
@@ -66,7 +66,7 @@ async function shareShown(frame: Page | Frame): Promise<number> {
   });
 }
 
-test.use({ viewport: { width: 320, height: 560 } });
+test.use({ ...fewPixels, viewport: { width: 320, height: 560 } });
 
 test('the lesson has pages and tags to copy, up to five steps', () => {
   expect(lesson.map((block) => block.split('<volume-step').length - 1)).toEqual([0, 1, 3, 2, 5]);

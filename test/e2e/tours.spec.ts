@@ -10,12 +10,13 @@ import { attributesOf, plainAttributes } from './helpers/reference.ts';
 import {
   compare,
   expect,
+  fewPixels,
   fieldUrl,
   forgetEvents,
+  keptTest as test,
   open,
   settle,
   takePicture,
-  keptTest as test,
   waitForEvent,
 } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
@@ -84,6 +85,8 @@ async function listen(page: Page): Promise<() => Promise<unknown[]>> {
   });
   return () => page.evaluate(() => (window as unknown as { heard: unknown[] }).heard);
 }
+
+test.use(fewPixels);
 
 test.describe('tours', () => {
   test('show one step at a time, and lead on by buttons and dots', async ({ page }) => {

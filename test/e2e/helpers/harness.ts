@@ -120,6 +120,9 @@ export interface PageOptions {
   readonly script?: string;
 }
 
+/** Options of files whose tests look at what a page does, and not at single pixels: half a pixel a CSS pixel has a quarter of the rays. */
+export const fewPixels = { deviceScaleFactor: 0.5 };
+
 /** Attributes of an element that shows the field at the size that the specs' pictures have. */
 export const size = 'width: 120px; height: 90px;';
 export const fieldUrl = '/test/e2e/pages/data/field.nii.gz';
