@@ -95,6 +95,12 @@ const parts = [
     counts: true,
     after: 'Docs: the reference is what the code says',
   },
+  {
+    title: 'The site of the docs',
+    args: ['test/package/site.mjs'],
+    counts: true,
+    browser: true,
+  },
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {
