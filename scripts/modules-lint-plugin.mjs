@@ -20,7 +20,7 @@ export const MAY_IMPORT = {
   formats: ['core', 'volume', 'optics', 'radar'],
   sources: ['core', 'formats'],
   worker: ['core', 'page', 'volume', 'optics', 'radar', 'formats', 'sources'],
-  prepare: ['core', 'volume', 'optics', 'radar', 'quality', 'formats', 'sources', 'viewer'],
+  prepare: ['core', 'volume', 'optics', 'bricks', 'radar', 'quality', 'formats', 'sources', 'viewer'],
   packages: ['core', 'sources', 'prepare', 'index'],
   renderer: ['core', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['core', 'volume', 'optics', 'radar', 'renderer', 'shaders'],

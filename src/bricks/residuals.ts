@@ -54,52 +54,67 @@ export function measureResiduals({ levels }: Pick<Pyramid, 'levels'>, side: numb
   const { low, high } = measureRanges(levels[0], side, blocks);
   const span = Math.max(0, largest(high) - smallest(low));
   const found = levels.map(() => ({ max: new Float32Array(count), rms: new Float32Array(count) }));
-  const blockOf = new Int32Array(nx).map((_, i) => Math.floor(i / side));
+  const shown = new Float64Array(nx);
   for (let level = 1; level < levels.length; level++) {
-    const { dimensions: coarse, samples: means } = levels[level];
-    const [x, y, z] = dimensions.map((n, axis) => betweenVoxels(n, level, coarse[axis]));
-    const squares = new Float64Array(count);
+    const { max, rms } = found[level];
+    const interpolateRow = rowInterpolator(levels[level], dimensions, level);
     const numbers = new Float64Array(count);
-    const max = found[level].max;
-    for (let k = 0, at = 0; k < nz; k++) {
+    // Until the end, of the squares.
+    const squares = new Float64Array(count);
+    for (let k = 0; k < nz; k++)
       for (let j = 0; j < ny; j++) {
-        const rows = [
-          [z.first[k], y.first[j], (1 - z.weight[k]) * (1 - y.weight[j])],
-          [z.first[k], y.second[j], (1 - z.weight[k]) * y.weight[j]],
-          [z.second[k], y.first[j], z.weight[k] * (1 - y.weight[j])],
-          [z.second[k], y.second[j], z.weight[k] * y.weight[j]],
-        ].map(([c, b, weight]) => ({ start: coarse[0] * (b + coarse[1] * c), weight }));
-        const blockRow = blocks[0] * (Math.floor(j / side) + blocks[1] * Math.floor(k / side));
-        for (let i = 0; i < nx; i++, at++) {
-          const [first, second, w] = [x.first[i], x.second[i], x.weight[i]];
-          // As rays interpolate: voxels without data are left out, if the others make up half of the weights.
-          let [sum, weights] = [0, 0];
-          for (const { start, weight } of rows) {
-            const [a, b] = [means[start + first], means[start + second]];
-            if (!Number.isNaN(a)) {
-              sum += weight * (1 - w) * a;
-              weights += weight * (1 - w);
-            }
-            if (!Number.isNaN(b)) {
-              sum += weight * w * b;
-              weights += weight * w;
-            }
-          }
-          const value = samples[at];
-          const [isThere, isShown] = [!Number.isNaN(value), weights >= 0.5];
+        interpolateRow(j, k, shown);
+        const row = nx * (j + ny * k);
+        const firstBlock = blocks[0] * (Math.floor(j / side) + blocks[1] * Math.floor(k / side));
+        for (let i = 0; i < nx; i++) {
+          const value = samples[row + i];
+          const [isThere, isShown] = [value === value, shown[i] === shown[i]];
           if (!isThere && !isShown) continue;
-          const residual = isThere && isShown ? Math.abs(value - sum / weights) : span;
-          const block = blockRow + blockOf[i];
+          const residual = isThere && isShown ? Math.abs(value - shown[i]) : span;
+          const block = firstBlock + Math.floor(i / side);
           if (residual > max[block]) max[block] = residual;
-          squares[block] += residual ** 2;
+          squares[block] += residual * residual;
           numbers[block]++;
         }
       }
-    }
-    for (let block = 0; block < count; block++)
-      found[level].rms[block] = Math.sqrt(squares[block] / Math.max(1, numbers[block]));
+    for (let block = 0; block < count; block++) rms[block] = Math.sqrt(squares[block] / Math.max(1, numbers[block]));
   }
   return { side, blocks, low, high, levels: found };
+}
+
+/**
+ * Interpolates a level at the middles of a row of level 0's voxels, as rays do: voxels without data are left out, if the others make up half of
+ * the weights. NaN where there is no data.
+ */
+function rowInterpolator(
+  { dimensions: coarse, samples }: PyramidLevel,
+  fine: Vector3,
+  level: number,
+): (j: number, k: number, into: Float64Array) => void {
+  const [x, y, z] = fine.map((n, axis) => betweenVoxels(n, level, coarse[axis]));
+  const [nx, ny] = coarse;
+  const [sums, weights] = [new Float64Array(nx), new Float64Array(nx)];
+  return (j, k, into) => {
+    // First across the four rows around it, then along them.
+    sums.fill(0);
+    weights.fill(0);
+    for (let corner = 0; corner < 4; corner++) {
+      const [isUp, isBack] = [corner & 1, corner & 2];
+      const weight = (isUp ? y.weight[j] : 1 - y.weight[j]) * (isBack ? z.weight[k] : 1 - z.weight[k]);
+      const row = nx * ((isUp ? y.second[j] : y.first[j]) + ny * (isBack ? z.second[k] : z.first[k]));
+      for (let i = 0; i < nx; i++) {
+        const value = samples[row + i];
+        if (value !== value) continue;
+        sums[i] += weight * value;
+        weights[i] += weight;
+      }
+    }
+    for (let i = 0; i < into.length; i++) {
+      const [first, second, w] = [x.first[i], x.second[i], x.weight[i]];
+      const weight = (1 - w) * weights[first] + w * weights[second];
+      into[i] = weight >= 0.5 ? ((1 - w) * sums[first] + w * sums[second]) / weight : NaN;
+    }
+  };
 }
 
 /** Smallest and largest stored value of each block, with the next voxel on each side, as rays interpolate up to its centre. */

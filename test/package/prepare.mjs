@@ -125,6 +125,24 @@ await check('any file becomes a page that holds its bytes', () => {
   assert.ok(page.includes('alt="A &quot;head&quot; &lt;b&gt;&amp;"'), 'no markup comes from the words');
 });
 
+await check('a file becomes an OME-Zarr, which replaces only an OME-Zarr', () => {
+  const name = 'nifti/members.nii.gz';
+  for (const turn of [1, 2]) {
+    const { status, stdout, stderr } = run(fixture(name), '--as', 'ome-zarr', '--out', 'pyramid');
+    assert.equal(status, 0, `turn ${turn}: ${stderr}`);
+    assert.match(stdout, /^pyramid\.ome\.zarr: \d+ x \d+ x \d+ voxels, \d+ files, [\d.]+ MB$/m);
+  }
+  const { attributes } = JSON.parse(readFileSync(join(work, 'pyramid.ome.zarr/zarr.json'), 'utf8'));
+  assert.equal(attributes.ome.version, '0.5');
+  assert.ok(existsSync(join(work, 'pyramid.ome.zarr/0/c/0/0/0')));
+  mkdirSync(join(work, 'other.ome.zarr'));
+  writeFileSync(join(work, 'other.ome.zarr/mine.txt'), '');
+  const { status, stderr } = run(fixture(name), '--as', 'ome-zarr', '--out', 'other');
+  assert.equal(status, 1);
+  assert.match(stderr, /other\.ome\.zarr is there, and is no OME-Zarr/);
+  assert.ok(existsSync(join(work, 'other.ome.zarr/mine.txt')));
+});
+
 await check('what can not be done is said in words, with exit status 1', () => {
   writeFileSync(join(work, 'text.h5'), 'no radar file');
   for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
@@ -132,7 +150,7 @@ await check('what can not be done is said in words, with exit status 1', () => {
     [['absent.h5'], /absent\.h5/],
     [['text.h5'], /text\.h5 is no radar file/],
     [[fixture('radar/odim-2.2.h5'), '--moment', 'NONE'], /NONE/],
-    [[fixture('radar/odim-2.2.h5'), '--as', 'film'], /got --as film; expected mosaic or page/],
+    [[fixture('radar/odim-2.2.h5'), '--as', 'film'], /got --as film; expected mosaic, page or ome-zarr/],
   ])) {
     const { status, stderr } = run(...args);
     assert.equal(status, 1, args.join(' '));

@@ -73,7 +73,7 @@ async function writeVolume(
     files['volume.json'] = formatManifest({ image: 'volume.png', ...titled });
     files['index.html'] = writeScanPage(line, 'volume.json', poster !== null);
   }
-  await writeFolder(site, id, files);
+  await writeFolder(site, id, Object.entries(files));
   return line;
 }
 

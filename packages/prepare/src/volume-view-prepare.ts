@@ -17,6 +17,8 @@ const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAM
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
+volume-view-prepare FILE --as ome-zarr [--out NAME]
+    each volume of the file as an OME-Zarr, the folder NAME.ome.zarr: levels of detail in small pieces, of which a page loads what it shows
 volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
     a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
@@ -56,6 +58,15 @@ function writeVolumePage(path: string, alt: string | undefined, out: string | un
   const name = `${out ?? nameFiles(path)}.html`;
   writeFileSync(name, writePage(readFileSync(path), alt ?? basename(path)));
   console.log(`${name}: put volume-view.iife.js of the package volume-view next to it, and open it`);
+}
+
+async function writePyramids(path: string, out: string | undefined): Promise<void> {
+  const { writeZarr } = await import('./write-zarr.ts');
+  const name = out ?? nameFiles(path);
+  for await (const { folder, dimensions, files, bytes, left } of writeZarr(path, name, shareOfMemory * totalmem())) {
+    console.log(`${folder}: ${dimensions.join(' x ')} voxels, ${files} files, ${(bytes / 1e6).toFixed(1)} MB`);
+    for (const line of left) console.error(`left out: ${line}`);
+  }
 }
 
 interface SiteValues {
@@ -178,7 +189,8 @@ async function main(): Promise<void> {
   if (statSync(path).isDirectory()) return writeSite(path, { ...values, as });
   if (as === 'mosaic') return writeMosaic(path, values.moment, values.out);
   if (as === 'page') return writeVolumePage(path, values.alt, values.out);
-  throw new Misuse(`got --as ${as}; expected mosaic or page`);
+  if (as === 'ome-zarr') return writePyramids(path, values.out);
+  throw new Misuse(`got --as ${as}; expected mosaic, page or ome-zarr`);
 }
 
 await main().catch((error: unknown) => {

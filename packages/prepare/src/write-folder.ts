@@ -13,16 +13,16 @@ export async function removeUnfinished(site: string): Promise<void> {
 
 /**
  * Writes a folder as a whole: under another name, then it gets its own. So a reader, or a run that is ended at any moment, never finds a part of it.
- * @param files - contents by names, with `/` between folders
+ * @param files - names, with `/` between folders, and contents; each is asked for when the one before it is written
  */
 export async function writeFolder(
   site: string,
   name: string,
-  files: Readonly<Record<string, Uint8Array | string>>,
+  files: Iterable<readonly [name: string, content: Uint8Array | string]>,
 ): Promise<void> {
   await mkdir(site, { recursive: true });
   const beside = await mkdtemp(join(site, unfinished));
-  for (const [file, content] of Object.entries(files)) {
+  for (const [file, content] of files) {
     await mkdir(dirname(join(beside, file)), { recursive: true });
     await writeThrough(join(beside, file), content);
   }

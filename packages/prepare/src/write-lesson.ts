@@ -64,7 +64,7 @@ export async function writeLesson(path: string, { as, pass, address, out, words,
     await writeFolder(
       dirname(target),
       basename(target),
-      Object.fromEntries(files.map((file) => [file.path, file.bytes])),
+      files.map((file) => [file.path, file.bytes] as const),
     );
   }
   const bytes = one?.length ?? files.reduce((sum, file) => sum + file.bytes.length, 0);

@@ -44,10 +44,10 @@ export async function writeSeries(site: string, scans: readonly WrittenScan[]): 
     ...(line.time === undefined ? {} : { time: line.time }),
   }));
   const lines = scans.map(({ line }) => line);
-  await writeFolder(site, id, {
-    ...(poster ? { 'poster.png': poster } : {}),
-    'scans.json': formatManifest({ scans: list }),
-    'index.html': writeSeriesPage(lines, 'scans.json', poster !== null),
-  });
+  await writeFolder(site, id, [
+    ...(poster ? ([['poster.png', poster]] as const) : []),
+    ['scans.json', formatManifest({ scans: list })],
+    ['index.html', writeSeriesPage(lines, 'scans.json', poster !== null)],
+  ]);
   return `${id}/index.html`;
 }

@@ -176,11 +176,11 @@ interface Course {
   readonly cells: number;
 }
 
-/** Each count of bricks whose error is measured first has so many times the bytes of the one before. */
-const stride = 1.25;
+/** Each count of bricks whose error is measured first has at least so many times the bytes of the one before. */
+const stride = 1.4;
 
 /** How exactly the bytes are found between two of them. */
-const exactly = 1.03;
+const exactly = 1.05;
 
 function findReached(
   { order: { bricks, tableBytes, stated }, judge, pyramid, cells }: Course,
