@@ -1,5 +1,5 @@
 import type { DecodedCartesianVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
-import type { FolderAccess } from '../formats/base/format.ts';
+import type { FolderAccess, FrameAccess } from '../formats/base/format.ts';
 import type { ByteStore } from './byte-store.ts';
 import { GroupReader } from './group-reader.ts';
 import { showPart } from './show-part.ts';
@@ -11,11 +11,16 @@ interface FolderOptions {
   readonly starts?: ReadonlyMap<string, DecodeInput>;
   /** Files that were read as a whole already. */
   readonly whole?: readonly DecodeInput[];
+  /** Reads frames without the others of their file; `onBytes` gets the number of bytes that came since the last call. */
+  readonly frames?: Pick<FrameAccess, 'addressOf'> & {
+    read(url: string, frames: readonly number[], onBytes: (bytes: number) => void): Promise<DecodeInput>;
+  };
   readonly signal?: AbortSignal;
 }
 
 /** Reads the files of a series in parts, and reports how much of all is read. */
 export class FolderReader implements FolderAccess {
+  readonly frames?: FrameAccess;
   /** Bytes that were read of each file. */
   readonly #read = new Map<string, number>();
   /** The files that are read; null for all. */
@@ -36,7 +41,16 @@ export class FolderReader implements FolderAccess {
     private readonly sizes: Map<string, number | null>,
     private readonly options: FolderOptions,
   ) {
-    const { signal, whole = [] } = options;
+    const { signal, whole = [], frames } = options;
+    if (frames)
+      this.frames = {
+        addressOf: (url, some) => frames.addressOf(url, some),
+        read: async (url, some) => {
+          const input = await frames.read(url, some, (bytes) => this.#count(url, (this.#read.get(url) ?? 0) + bytes));
+          if (this.#isRemote) this.options.load.budget?.addFile(input.bytes.length);
+          return input;
+        },
+      };
     this.#unknown = new Set([...sizes.keys()].filter((url) => sizes.get(url) === null));
     this.#isRemote = this.#unknown.size > 0;
     for (const size of sizes.values()) this.#total += size ?? 0;

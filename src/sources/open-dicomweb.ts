@@ -2,53 +2,27 @@
 import { VolumeViewError } from '../core/errors.ts';
 import { checkFileCount } from '../formats/base/check-file-count.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
+import { keptBytes } from '../formats/base/format.ts';
+import type { WebPixels } from '../formats/base/scan-data.ts';
 import { elementOf, listBulk, writeInstance } from '../formats/dicom/write-instance.ts';
 import type { JsonPixels, JsonSet } from '../formats/dicom/write-instance.ts';
+import { segmentations } from '../formats/dicom/tags.ts';
 import type { ReadOptions } from './byte-store.ts';
-import type { FetchOptions } from './download.ts';
-import { fetchBytes } from './fetch-bytes.ts';
+import { ahead, asFile, fetchFrom, joinPixels, littleEndian, readBulk, readPixels } from './dicomweb-parts.ts';
+import type { PartReading, QueuedReading, Reading } from './dicomweb-parts.ts';
 import { FolderReader } from './folder-reader.ts';
-import { Queue } from './queue.ts';
-import { splitParts } from './multipart.ts';
-import type { Part } from './multipart.ts';
 import type { OpenedFiles } from './opened-files.ts';
+import { Queue } from './queue.ts';
 import type { FolderLoad } from './show-part.ts';
+
+export { fetchPixels } from './dicomweb-parts.ts';
 
 /** Bytes of frames that are asked for at once, and the number of frames. */
 const [bytesAtOnce, maxFrames] = [2 ** 22, 64];
 
-/** Requests at once, of all instances together. */
-const ahead = 6;
-
-const octets = 'application/octet-stream';
-const anySyntax = `multipart/related; type="${octets}"; transfer-syntax=*`;
-const plainSyntax = `multipart/related; type="${octets}"`;
-const littleEndian = '1.2.840.10008.1.2.1';
-
-/** How frames are packed where a server says only their type. Source: PS3.18, table 8.7.3-2 */
-const usual: Readonly<Record<string, string>> = {
-  'image/jpeg': '1.2.840.10008.1.2.4.70',
-  'image/jls': '1.2.840.10008.1.2.4.80',
-  'image/jp2': '1.2.840.10008.1.2.4.90',
-  'image/jphc': '1.2.840.10008.1.2.4.202',
-  'image/dicom-rle': '1.2.840.10008.1.2.5',
-  'image/x-dicom-rle': '1.2.840.10008.1.2.5',
-};
-
-/** Ways of writing numbers that are not packed: servers send them with the lowest byte first. */
-const plain: ReadonlySet<string> = new Set([
-  '1.2.840.10008.1.2',
-  littleEndian,
-  '1.2.840.10008.1.2.2',
-  '1.2.840.10008.1.2.1.99',
-]);
-
-type Reading = Omit<FetchOptions, 'onProgress' | 'isEnough'> & Partial<Pick<FetchOptions, 'onProgress'>>;
-type QueuedReading = Reading & { readonly queue: Queue };
-
 /**
- * Reads the list of a series, and its middle instance. The list says all but the pixels: these are fetched when they are
- * asked for, frames as the server has them.
+ * Reads the list of a series. The list says all but the pixels: these are fetched when they are asked for, frames as the server
+ * has them.
  * @param address - ends in `/studies/…/series/…`, or in an instance of it; what follows a question mark is added to all addresses
  * @param load - reads the files of series in parts; they are read as a whole if undefined
  * @throws {VolumeViewError} `source/…`, `format/…`; messages have no address but this one
@@ -65,24 +39,44 @@ export async function openDicomWeb(address: string, given: Reading, load?: Folde
     instances.set(`${origin}${series}/instances/${instanceOf(set)}`, { set, place });
   const files = [...instances.keys()];
   const isSeveral = files.length > 1;
-  const read = async (url: string, { range, ...options }: ReadOptions): Promise<DecodeInput> => {
+  const find = (url: string) => {
     const instance = instances.get(url);
     if (!instance) throw notNamed();
-    const what = isSeveral ? `instance ${instance.place + 1} of ${files.length}` : 'the instance';
+    return { ...instance, what: isSeveral ? `instance ${instance.place + 1} of ${files.length}` : 'the instance' };
+  };
+  const read = async (url: string, { range, ...options }: ReadOptions): Promise<DecodeInput> => {
+    const { set, what } = find(url);
     const how = { url, base, search, what, reading: { ...reading, ...options } };
-    return range ? readStart(instance.set, how) : readInstance(instance.set, how);
+    return range ? readStart(set, how) : readInstance(set, how);
+  };
+  const addressOf = (url: string, frames: readonly number[]): WebPixels => {
+    const { set, what } = find(url);
+    return locate(set, frames, { url, base, search, what });
   };
   const [first] = files;
-  const whole = await read(first, { onProgress: load?.onProgress });
   const store = { list: async () => files, stat: async () => ({ size: null }), read };
+  const options = {
+    signal: reading.signal,
+    frames: {
+      addressOf,
+      read: async (url: string, frames: readonly number[], count: (bytes: number) => void) => {
+        const what = nameFrames(frames, find(url).what);
+        return asFile(await readPixels(addressOf(url, frames), { what, reading, count }), url);
+      },
+    },
+  };
+  const folder =
+    load && (isSeveral || hasFramesAlone(find(first).set, find(first).what))
+      ? await FolderReader.of(store, files, read, { load, ...options })
+      : undefined;
   return {
     first,
     ...(isSeveral && { files }),
-    ...(isSeveral &&
-      load && { folder: await FolderReader.of(store, files, read, { load, whole: [whole], signal: reading.signal }) }),
+    ...(folder && { folder }),
     isPrivate: true,
     describe: (volume) => ({ ...volume, source: { kind: 'DICOMweb', count: files.length } }),
-    read: async (url, options) => (url === first ? whole : read(url, options)),
+    // The start of the first one says its format. Its reader reads all of them by itself.
+    read: async (url, how) => (folder ? { ...(await folder.readStart(url, keptBytes)), missing: 0 } : read(url, how)),
   };
 }
 
@@ -121,7 +115,7 @@ function notDicomWeb(cause?: unknown): VolumeViewError {
 }
 
 function instanceOf(set: JsonSet): string {
-  const [uid] = elementOf(set, 0x00080018)?.Value ?? [];
+  const [uid] = valuesOf(set, 0x00080018);
   if (typeof uid === 'string' && /^[\d.]{1,64}$/.test(uid)) return uid;
   throw new VolumeViewError(
     'format/corrupt',
@@ -129,7 +123,12 @@ function instanceOf(set: JsonSet): string {
   );
 }
 
-const numbersOf = (set: JsonSet, id: number): number[] => (elementOf(set, id)?.Value ?? []).map(Number);
+function valuesOf(set: JsonSet, id: number): readonly unknown[] {
+  const values = elementOf(set, id)?.Value;
+  return Array.isArray(values) ? values : [];
+}
+
+const numbersOf = (set: JsonSet, id: number): number[] => valuesOf(set, id).map(Number);
 
 /** The instance in the middle, by their places along the normal, else by their numbers; then the others as they are listed. */
 function middleFirst(sets: readonly JsonSet[]): JsonSet[] {
@@ -146,47 +145,97 @@ function middleFirst(sets: readonly JsonSet[]): JsonSet[] {
   return [middle, ...sets.filter((set) => set !== middle)];
 }
 
-interface InstanceReading {
+interface InstancePlace {
   readonly url: string;
   /** The address of the server's root. */
   readonly base: string;
   readonly search: string;
   /** For messages. */
   readonly what: string;
-  readonly reading: QueuedReading;
 }
+
+type InstanceReading = InstancePlace & Pick<PartReading, 'reading'>;
 
 async function readInstance(set: JsonSet, how: InstanceReading): Promise<DecodeInput> {
   const { url, reading } = how;
   let loaded = 0;
   const count = (bytes: number): void => reading.onProgress?.((loaded += bytes), 0);
   const bulk = await readAllBulk(set, how, count);
-  const pixels = await readPixels(set, how, count);
+  const pixels = await readAllPixels(set, how, count);
   return { bytes: writeInstance(set, bulk, pixels), url, contentType: 'application/dicom' };
 }
 
-/** What the list says of an instance: a file without its pixels. Those of several frames are read as a whole. */
+/** What the list says of an instance: a file without its pixels. Nothing is missing where it has none, or its frames can't be had alone. */
 async function readStart(set: JsonSet, how: InstanceReading): Promise<DecodeInput> {
   const input = { url: how.url, contentType: 'application/dicom' };
+  const bulk = await readAllBulk(set, how, () => undefined);
   const pixels = describePixels(set, how.what);
-  if (!pixels) return { ...input, bytes: writeInstance(set, await readAllBulk(set, how, () => undefined), null) };
+  if (!pixels || (pixels.frames > 1 && !hasFramesAlone(set, how.what)))
+    return { ...input, bytes: writeInstance(set, bulk, null) };
   const { id, frames, frameBytes } = pixels;
-  const announced = Math.ceil(frames * frameBytes);
-  const unread: JsonPixels = { id, syntax: littleEndian, isPacked: false, pieces: [], announced };
-  return {
-    ...input,
-    bytes: writeInstance(set, await readAllBulk(set, how, () => undefined), unread),
-    missing: announced,
-  };
+  const syntax = guessSyntax(set);
+  const isPacked = syntax !== littleEndian;
+  const missing = Math.ceil(frames * frameBytes);
+  const announced = isPacked ? untilMark : Math.min(missing, untilMark - 1);
+  const unread: JsonPixels = { id, syntax, isPacked, pieces: [], announced };
+  return { ...input, bytes: writeInstance(set, bulk, unread), missing };
+}
+
+/** The length of an element that ends with a mark of its own. */
+const untilMark = 0xffffffff;
+
+/** How pixels are packed, of which only the colours say it: others are taken as not packed, until they come. */
+function guessSyntax(set: JsonSet): string {
+  const [colors] = valuesOf(set, 0x00280004);
+  if (/^YBR_(RCT|ICT)$/.test(String(colors))) return '1.2.840.10008.1.2.4.90';
+  return colors === 'YBR_FULL_420' ? '1.2.840.10008.1.2.4.50' : littleEndian;
+}
+
+/** Where some frames of an instance are, or all its pixels, if its numbers are such as frames do not have on all servers. */
+function locate(set: JsonSet, frames: readonly number[], { url, base, search, what }: InstancePlace): WebPixels {
+  const { id, bits } = describePixels(set, what) ?? { id: 0x7fe00010, bits: 8 };
+  const address = id !== 0x7fe00010 || bits === 1 ? elementOf(set, id)?.BulkDataURI : undefined;
+  if (typeof address === 'string') return { url: atServer(address, base, search), id, frames: null };
+  const list = frames.map((frame) => frame + 1).join(',');
+  return { url: `${url}/frames/${list}${search}`, id, frames: frames.length };
+}
+
+/** Whether an instance has several frames, and some of them can be had. Those of a segmentation are read together. */
+function hasFramesAlone(set: JsonSet, what: string): boolean {
+  const pixels = describePixels(set, what);
+  const [kind] = valuesOf(set, 0x00080016);
+  return (
+    pixels !== null &&
+    pixels.frames > 1 &&
+    pixels.id === 0x7fe00010 &&
+    pixels.bits > 1 &&
+    !segmentations.has(String(kind))
+  );
+}
+
+/** Servers behind others name hosts that nobody else reaches, and a stranger's list must not choose a server. */
+function atServer(address: string, base: string, search: string): string {
+  const at = address.indexOf('/studies/');
+  if (at < 0) throw notNamed();
+  return `${base}${address.slice(at)}${search}`;
+}
+
+function nameFrames(frames: readonly number[], what: string): string {
+  const [first, last] = [frames[0], frames[frames.length - 1]];
+  if (frames.length === 1) return `frame ${first + 1} of ${what}`;
+  return last - first === frames.length - 1
+    ? `frames ${first + 1} to ${last + 1} of ${what}`
+    : `${frames.length} frames of ${what}`;
 }
 
 async function readAllBulk(
   set: JsonSet,
-  how: InstanceReading,
+  { base, search, what, reading }: InstanceReading,
   count: (bytes: number) => void,
 ): Promise<ReadonlyMap<string, Uint8Array<ArrayBuffer>>> {
   const bulk = new Map<string, Uint8Array<ArrayBuffer>>();
-  for (const address of new Set(listBulk(set))) bulk.set(address, await readBulk(address, how, count));
+  for (const address of new Set(listBulk(set)))
+    bulk.set(address, await readBulk(atServer(address, base, search), { what: `a table of ${what}`, reading, count }));
   return bulk;
 }
 
@@ -206,142 +255,30 @@ function describePixels(
   return { id, bits, frames, frameBytes: (rows * columns * samples * bits) / 8 };
 }
 
-/** The pixels of an instance: frame by frame, except for numbers that frames do not have on all servers. */
-async function readPixels(
+/** All pixels of an instance. */
+async function readAllPixels(
   set: JsonSet,
   how: InstanceReading,
   count: (bytes: number) => void,
 ): Promise<JsonPixels | null> {
-  const described = describePixels(set, how.what);
+  const { what, reading } = how;
+  const described = describePixels(set, what);
   if (!described) return null;
-  const { id, bits, frames, frameBytes: size } = described;
-  const address = id !== 0x7fe00010 || bits === 1 ? elementOf(set, id)?.BulkDataURI : undefined;
-  if (typeof address === 'string')
-    return { id, syntax: littleEndian, isPacked: false, pieces: [await readBulk(address, how, count)] };
-  const step = Math.max(1, Math.min(maxFrames, Math.floor(bytesAtOnce / size)));
-  const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => 1 + i * step);
-  const parts: Part[][] = [];
+  const { frames, frameBytes } = described;
+  const together = locate(set, [0], how);
+  if (together.frames === null) return readPixels(together, { what, reading, count });
+  const step = Math.max(1, Math.min(maxFrames, Math.floor(bytesAtOnce / frameBytes)));
+  const starts = Array.from({ length: Math.ceil(frames / step) }, (_, i) => i * step);
+  const parts: JsonPixels[] = [];
+  const readOne = async (i: number): Promise<void> => {
+    const some = Array.from({ length: Math.min(step, frames - starts[i]) }, (_, k) => starts[i] + k);
+    const name = nameFrames(some, what);
+    parts[i] = await readPixels(locate(set, some, how), { what: name, reading, count });
+  };
   let next = 0;
   const work = async (): Promise<void> => {
-    while (next < starts.length) {
-      const i = next++;
-      const last = Math.min(frames, starts[i] + step - 1);
-      parts[i] = await readFrames([starts[i], last], how, count);
-    }
+    while (next < starts.length) await readOne(next++);
   };
   await Promise.all(Array.from({ length: ahead }, work));
-  return joinFrames(parts.flat(), how.what);
-}
-
-function joinFrames(parts: readonly Part[], what: string): JsonPixels {
-  const syntaxes = new Set(parts.map(({ contentType }) => syntaxOf(contentType)));
-  if (syntaxes.size > 1)
-    throw new VolumeViewError(
-      'format/unsupported',
-      `${what} has frames that are packed in ${syntaxes.size} ways; expected one`,
-    );
-  const [syntax] = syntaxes;
-  const isPacked = !plain.has(syntax);
-  return {
-    id: 0x7fe00010,
-    syntax: isPacked ? syntax : littleEndian,
-    isPacked,
-    pieces: parts.map(({ bytes }) => bytes),
-  };
-}
-
-function syntaxOf(contentType: string): string {
-  const [, stated] = /;\s*transfer-syntax="?([\d.]+)/i.exec(contentType) ?? [];
-  const [type] = contentType.split(';');
-  return stated ?? usual[type.trim().toLowerCase()] ?? littleEndian;
-}
-
-/** @param range - the first frame and the last one, from 1 */
-async function readFrames(
-  [first, last]: readonly [number, number],
-  { url, search, what, reading }: InstanceReading,
-  count: (bytes: number) => void,
-): Promise<Part[]> {
-  const wanted = last - first + 1;
-  const list = Array.from({ length: wanted }, (_, i) => first + i).join(',');
-  const name = `${wanted > 1 ? `frames ${first} to ${last}` : `frame ${first}`} of ${what}`;
-  const parts = await readParts(`${url}/frames/${list}${search}`, name, reading, count);
-  if (parts.length === wanted) return parts;
-  throw new VolumeViewError('source/unavailable', `${name}: the server sent ${parts.length} of ${wanted} frames`);
-}
-
-async function readBulk(
-  address: string,
-  { base, search, what, reading }: InstanceReading,
-  count: (bytes: number) => void,
-): Promise<Uint8Array<ArrayBuffer>> {
-  // Servers behind others name hosts that nobody else reaches, and a stranger's list must not choose a server.
-  const at = address.indexOf('/studies/');
-  if (at < 0) throw notNamed();
-  const url = `${base}${address.slice(at)}${search}`;
-  const [part] = await readParts(url, `a table of ${what}`, reading, count);
-  return part?.bytes ?? new Uint8Array();
-}
-
-/** Answers of servers that do not send what they have as they have it: then the numbers are asked for, as they are without packing. */
-const refusals: ReadonlySet<unknown> = new Set([400, 406, 415, 500, 501]);
-
-/** An answer that is cut short is asked for once more. */
-async function readParts(
-  url: string,
-  what: string,
-  reading: QueuedReading,
-  count: (bytes: number) => void,
-): Promise<Part[]> {
-  let accept = anySyntax;
-  for (let isLast = false; ; isLast = true) {
-    try {
-      const { bytes, contentType } = await fetchFrom(url, { accept, what, reading, count });
-      return splitParts(bytes, contentType, what);
-    } catch (cause) {
-      const { status = 200 } = cause as { readonly status?: number };
-      if (isLast || !(status === 200 || refusals.has(status))) throw cause;
-      if (refusals.has(status)) accept = plainSyntax;
-    }
-  }
-}
-
-/** @throws {VolumeViewError} `source/…`, `format/too-large`: without the address, which has numbers of a patient's study */
-async function fetchFrom(
-  url: string,
-  {
-    accept,
-    what,
-    reading,
-    count,
-  }: { accept: string; what: string; reading: QueuedReading; count?: (bytes: number) => void },
-): Promise<DecodeInput> {
-  const ask = reading.fetch ?? fetch;
-  let [before, status] = [0, 0];
-  try {
-    return await reading.queue.run(() =>
-      fetchBytes(url, {
-        ...reading,
-        fetch: async (address, options) => {
-          const response = await ask(address, {
-            ...options,
-            headers: { ...Object.fromEntries(new Headers(options?.headers)), accept },
-          });
-          status = response.status;
-          return response;
-        },
-        onProgress: (loaded, total) => {
-          if (!count) return reading.onProgress?.(loaded, total);
-          count(loaded - before);
-          before = loaded;
-        },
-      }),
-    );
-  } catch (cause) {
-    reading.signal?.throwIfAborted();
-    if (!(cause instanceof VolumeViewError)) throw cause;
-    const shown = url.length > 300 ? `${url.slice(0, 100)}…` : url;
-    const message = [shown, url.slice(0, 300), url].reduce((text, one) => text.replaceAll(one, what), cause.message);
-    throw Object.assign(new VolumeViewError(cause.code, message), { status });
-  }
+  return joinPixels(parts, what);
 }

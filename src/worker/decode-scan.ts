@@ -7,6 +7,7 @@ import type { DecodeContext } from '../formats/decode.ts';
 import { hasSweeps, isFrame } from '../formats/base/scan-data.ts';
 import type { PlaceData, ScanData } from '../formats/base/scan-data.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
+import type { ScanAccess } from '../formats/series/read-scan.ts';
 import { readPlaceOverTime } from '../formats/series/read-place-over-time.ts';
 import { readPlacedScan } from '../formats/read-placed-scan.ts';
 import type { FileTree } from '../formats/zarr/file-tree.ts';
@@ -42,7 +43,9 @@ export async function decodeScan(
   };
   if (first) return decodeFile(first, settings, { ...options, fetchFile });
   const data = options.request.data!;
-  const access = { fetchFile, budget: options.budget, onProgress: options.onProgress };
+  const fetchPixels: ScanAccess['fetchPixels'] = async (pixels) =>
+    (await loadReader(() => import('../sources/open-dicomweb.ts'))).fetchPixels(pixels, options);
+  const access = { fetchFile, fetchPixels, budget: options.budget, onProgress: options.onProgress };
   return isOfPlace(data) ? readPlaceOverTime(data, access) : readPlacedScan(data, settings, access);
 }
 

@@ -130,3 +130,17 @@ async function send(
   }
   response.end(`--${boundary}--`);
 }
+
+/** Runs with a server, which ends with it. */
+export async function withWeb<T>(
+  instances: readonly WebInstance[],
+  faults: Faults,
+  run: (server: DicomWebServer) => Promise<T>,
+): Promise<T> {
+  const server = await startDicomWeb(instances, faults);
+  try {
+    return await run(server);
+  } finally {
+    await server.close();
+  }
+}

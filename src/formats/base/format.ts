@@ -10,6 +10,7 @@ import type {
   ProgressListener,
 } from './decoded-volume.ts';
 import type { ScansListener } from './load-request.ts';
+import type { WebPixels } from './scan-data.ts';
 
 // How a format describes itself. registry.ts lists all formats.
 
@@ -34,6 +35,14 @@ export interface FileAccess {
 /** Of each file of a folder so many bytes are kept from the first look at it: the start of most, up to their data. */
 export const keptBytes = 2 ** 14;
 
+/** Frames that are had without the others of their file, as from a DICOMweb server. */
+export interface FrameAccess {
+  /** Where they can be had again later, by a page. @param frames - from 0 */
+  addressOf(url: string, frames: readonly number[]): WebPixels;
+  /** Their pixels, as a file without any other element. */
+  read(url: string, frames: readonly number[]): Promise<DecodeInput>;
+}
+
 /** Many files of which the starts are read first: they need not be in memory together. */
 export interface FolderAccess {
   /** The first bytes of a file; the input says how many are `missing`. */
@@ -42,6 +51,8 @@ export interface FolderAccess {
   readWhole(url: string): Promise<DecodeInput>;
   /** Where a file can be read again later, by a page: the file itself, one of an archive as a gzip file, or its URL; null where it can not. */
   sourceOf(url: string): Blob | string | null;
+  /** Set where frames are had alone: then the start of a file has all that is before its pixels. */
+  readonly frames?: FrameAccess;
   /** Whole files will be read in this order, so that several can be read in one piece. @returns how many to ask for ahead */
   plan(urls: readonly string[]): number;
   /** No other files will be read, so that the progress counts only these. */

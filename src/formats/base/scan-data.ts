@@ -3,12 +3,31 @@ import type { DecodedCartesianVolume } from './decoded-volume.ts';
 /** Where the numbers of one volume lie: kept by the browser outside of a page's own memory, or a part of a file. */
 export type ScanBytes = Blob | { readonly url: string; readonly start: number; readonly end: number };
 
+/** The pixels of some frames on a DICOMweb server. */
+export interface WebPixels {
+  readonly url: string;
+  /** The number of the element that they are. */
+  readonly id: number;
+  /** How many frames the address asks for; null where it gives all pixels together. */
+  readonly frames: number | null;
+}
+
+/** Some frames of a file that has more, which are not read. */
+export interface FramesOfFile {
+  /** The file with the pixels of these frames alone, or up to its pixels. */
+  readonly file: Blob;
+  /** Where the pixels are, if they are not in the file. */
+  readonly pixels?: WebPixels;
+  /** Which ones, from 0, in the order of their pixels. */
+  readonly frames: readonly number[];
+}
+
 /**
  * The files whose slices are one volume, which are decoded when it is shown: as they are kept by the browser, those of an
- * archive as gzip files, or their URLs. Only a reader knows how.
+ * archive as gzip files, their URLs, or some of their frames. Only a reader knows how.
  */
 export interface ScanFiles {
-  readonly files: readonly (Blob | string)[];
+  readonly files: readonly (Blob | string | FramesOfFile)[];
   /** Of each slice, its file, by its place in `files`, and its picture in that file, from 0. */
   readonly slices: readonly (readonly [file: number, picture: number])[];
 }

@@ -71,7 +71,7 @@ export function checkFrames(picture: Picture): void {
 }
 
 /** @returns bytes of a frame that is not packed; of pairs of pixels, which share colours, a row has an even number */
-function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): number {
+export function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): number {
   return (rows * columns * samplesPerPixel(colors) * bitsAllocated) / 8;
 }
 
@@ -89,7 +89,9 @@ export function decodeFrame(picture: Picture, frame: number, budget: Budget, lib
   const taken = (isJ2k(picture) ? 16 : syntax.packing === 'JPEG' ? 6 : 3) * size;
   budget.take(taken, what);
   const bytes = new Uint8Array(size);
-  const packed = pixels.bytes ? pixels.bytes.subarray(frame * size, (frame + 1) * size) : joinFragments(picture, frame);
+  const packed = pixels.bytes
+    ? pixels.bytes.subarray(frame * size, (frame + 1) * size)
+    : joinFragments(fragmentsOf(picture, frame));
   if (colors && colors.kind !== 'palette') {
     const gray = new Uint8Array(picture.rows * picture.columns);
     const isRle = syntax.packing === 'RLE';
@@ -142,9 +144,18 @@ function copyNumbers(from: Uint8Array, bytes: Uint8Array, { pixels, bitsAllocate
   if (word > 1 && (bitsAllocated === 8 || pixels.littleEndian !== hostIsLittleEndian)) swapBytes(bytes, word);
 }
 
-/** A frame may lie in several pieces: where it begins is said in bytes, or there is one piece for each frame, or one frame. */
-function joinFragments({ pixels: { fragments, offsets }, frames, what }: Picture, frame: number): Uint8Array {
-  if (fragments.length === frames) return fragments[frame];
+const joinFragments = (pieces: readonly Uint8Array[]): Uint8Array =>
+  pieces.length === 1 ? pieces[0] : joinPieces(pieces);
+
+/**
+ * A frame may lie in several pieces: where it begins is said in bytes, or there is one piece for each frame, or one frame.
+ * @throws {VolumeViewError} `format/corrupt`
+ */
+export function fragmentsOf(
+  { pixels: { fragments, offsets }, frames, what }: Picture,
+  frame: number,
+): readonly Uint8Array<ArrayBuffer>[] {
+  if (fragments.length === frames) return [fragments[frame]];
   let mine = fragments;
   if (frames > 1) {
     if (offsets.length < frames)
@@ -160,7 +171,7 @@ function joinFragments({ pixels: { fragments, offsets }, frames, what }: Picture
       return place >= start && place < end;
     });
   }
-  return joinPieces(mine);
+  return mine;
 }
 
 /** Whether bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */

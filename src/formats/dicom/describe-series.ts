@@ -8,7 +8,7 @@ import { cutTile } from './gather-samples.ts';
 import { placeAlong } from './group-frames.ts';
 import type { ChosenSeries } from './group-frames.ts';
 import { isJ2k } from './load-libraries.ts';
-import { loadPixels } from './load-pixels.ts';
+import { PixelLoader } from './load-pixels.ts';
 import { modalityOf } from './modality.ts';
 
 /** Pixels of the larger side of a picture. */
@@ -73,9 +73,9 @@ async function drawSmall(
   if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
-    const picture = await loadPixels(frame.picture, context);
-    checkFrames(picture);
-    numbers = cutTile(decodeFrame(picture, frame.index, context.budget), frame);
+    const loaded = await new PixelLoader([frame], 0, context).load(frame);
+    checkFrames(loaded.picture);
+    numbers = cutTile(decodeFrame(loaded.picture, loaded.index, context.budget), loaded);
   } catch {
     return undefined; // The series itself says what is wrong with it, where it is chosen.
   }

@@ -11,7 +11,7 @@ import { arrayOf, checkFrames, decodeFrame } from './decode-frame.ts';
 import type { FrameNumbers } from './decode-frame.ts';
 import type { Frame } from './frame.ts';
 import { loadLibraries } from './load-libraries.ts';
-import { loadPixels } from './load-pixels.ts';
+import { PixelLoader } from './load-pixels.ts';
 import { NumberCounts } from './number-counts.ts';
 import type { StoredType } from './picture.ts';
 import type { Stack } from './stack-frames.ts';
@@ -57,6 +57,18 @@ export async function gatherSamples(
   const pixels = columns * rows;
   let type: StoredType = scale ? frames[0].picture.type : chooseType(frames);
   if (frames.length < slices.length || damage.found.size > 0 || resample) type = floatOf(type);
+  const kept = scale ?? { slope: 1, intercept: 0 };
+  const order = folder ? orderSlices(slices.length, first) : Array.from(slices, (_, k) => k);
+  const isThere = (frame: Frame | null): frame is Frame => frame !== null && !damage.found.has(frame);
+  const early = order.slice(0, first.length).filter((k) => isThere(slices[k])).length;
+  const pixelsOf = new PixelLoader(order.map((k) => slices[k]).filter(isThere), early, context);
+  const load = async (k: number): Promise<Frame | null> => {
+    const frame = slices[k];
+    return isThere(frame) ? pixelsOf.load(frame) : null;
+  };
+  const coming = readAhead(order, load, pixelsOf.ahead);
+  // Files on a server count for the budget when they come.
+  let next = await coming.next();
   let all = allocate(type, [columns, rows, slices.length], budget);
   const counts = new NumberCounts();
   /** Only floats have a number for no data. */
@@ -92,15 +104,7 @@ export async function gatherSamples(
       all[start + i] = NaN;
     }
   };
-  const kept = scale ?? { slope: 1, intercept: 0 };
-  const order = folder ? orderSlices(slices.length, first) : Array.from(slices, (_, k) => k);
   let done = 0;
-  const load = async (k: number): Promise<Frame | null> => {
-    const frame = slices[k];
-    if (!frame || damage.found.has(frame)) return null;
-    const { url } = frame.picture;
-    return url === null ? frame : { ...frame, picture: await loadPixels(frame.picture, context) };
-  };
   /** A server may say with the pixels how they are packed. */
   const packings = new Set(pictures.map(({ syntax }) => syntax.packing));
   const prepare = async ({ picture }: Frame): Promise<void> => {
@@ -110,8 +114,8 @@ export async function gatherSamples(
     pictures.push(picture);
     libraries = await loadLibraries(pictures);
   };
-  const ahead = folder?.plan(order.map((k) => slices[k]?.picture.url ?? null).filter((url) => url !== null));
-  for await (const loaded of readAhead(order, load, ahead)) {
+  for (; !next.done; next = await coming.next()) {
+    const loaded = next.value;
     const k = order[done];
     if (!folder) onProgress(done, slices.length);
     done++;

@@ -4,7 +4,6 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { chooseScan } from '../base/choose-scan.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import { loadReader } from '../base/load-reader.ts';
 import { hostIsLittleEndian } from '../base/number-types.ts';
 import type { ScanFiles, SeriesInfo } from '../base/scan-data.ts';
 import { chooseLookedAt, joinValues, suggestByValues } from '../series/suggest-for-all.ts';
@@ -12,8 +11,10 @@ import { describeFiles } from './describe-files.ts';
 import type { Phases } from './find-phases.ts';
 import type { Frame } from './frame.ts';
 import { gatherSamples } from './gather-samples.ts';
+import { cutFrames } from './cut-frames.ts';
 import { countSlices, joinFrames } from './join-frames.ts';
 import { listFrames } from './list-frames.ts';
+import { countAtOnce } from './load-pixels.ts';
 import type { Picture } from './picture.ts';
 import { stackFrames } from './stack-frames.ts';
 import type { Stack } from './stack-frames.ts';
@@ -22,8 +23,8 @@ import type { Stack } from './stack-frames.ts';
 const sampled = 3;
 
 /**
- * Reports the times, and decodes the one that is wanted. All of them are decoded where their files can't be read again one by one.
- * @returns null where they have different grids, or would take more memory than a page keeps
+ * Reports the times, and decodes the one that is wanted.
+ * @returns null where they have different grids, or a file can't be read again
  * @throws {VolumeViewError} as joinFrames says
  */
 export async function joinPhases(
@@ -39,10 +40,7 @@ export async function joinPhases(
   const describe = (lost: readonly string[]): SeriesInfo =>
     describeFiles({ frames: phases.flat(), left: [...left, ...first.left, ...lost] }, first.anatomical, grid);
   const files = listFiles(phases, context);
-  if (!files) {
-    const { keepPhases } = await loadReader(() => import('./keep-phases.ts'));
-    return keepPhases({ stacks, times, describe }, settings, context);
-  }
+  if (!files) return null;
   const looks = chooseLookedAt(phases.length).map((i) => chooseSome(stacks[i]));
   const values = await sampleValues(looks, context);
   const series = values.length > 0 ? await suggestByValues(describe([]), values) : describe([]);
@@ -73,32 +71,64 @@ function isAlike(a: Stack, b: Stack): boolean {
   return countSlices(a) === countSlices(b) && a.indexToWorld.every(isNear);
 }
 
-/**
- * The files of each time. To read one of them again must not take longer than to decode that time: so each has but one
- * picture, which may be a mosaic.
- * @returns null where that is not so, or a file can't be read alone
- */
+/** The files of each time, or its frames in them. @returns null where a file can't be read again */
 function listFiles(phases: readonly (readonly Frame[])[], { folder }: ReadContext): ScanFiles[] | null {
-  const pictures = new Set(phases.flat().map(({ picture }) => picture));
-  const sources = new Map<Picture, Blob | string>();
-  for (const picture of pictures) {
-    const { file, frames } = picture;
-    if (frames > 1) return null;
-    const source = typeof file === 'string' ? (folder?.sourceOf(file) ?? null) : new Blob([file]);
-    if (source === null) return null;
-    sources.set(picture, source);
+  const sources = new Map<Picture, (frames: readonly number[]) => ScanFile | null>();
+  for (const { picture } of phases.flat()) if (!sources.has(picture)) sources.set(picture, findSource(picture, folder));
+  const tiles = new Map<Picture, readonly Frame[]>();
+  const all: ScanFiles[] = [];
+  for (const frames of phases) {
+    const parts = divideFrames(frames);
+    const files: ScanFile[] = [];
+    const fileOf = new Map<Frame, number>();
+    for (const part of parts) {
+      const file = sources.get(part[0].picture)!([...new Set(part.map(({ index }) => index))]);
+      if (file === null) return null;
+      for (const frame of part) fileOf.set(frame, files.length);
+      files.push(file);
+    }
+    all.push({ files, slices: frames.map((frame) => [fileOf.get(frame)!, placeInFile(frame, tiles)]) });
   }
-  return phases.map((frames) => {
-    const mine = [...new Set(frames.map(({ picture }) => picture))];
-    const tiles = new Map(mine.map((picture) => [picture, listFrames(picture)]));
-    return {
-      files: mine.map((picture) => sources.get(picture)!),
-      slices: frames.map(({ picture, corner }) => [
-        mine.indexOf(picture),
-        tiles.get(picture)!.findIndex((tile) => tile.corner.every((at, axis) => at === corner[axis])),
-      ]),
-    };
-  });
+  return all;
+}
+
+type ScanFile = ScanFiles['files'][number];
+
+/** What gives some frames of a picture, which are read again where they are shown; null where they can't be. */
+function findSource(picture: Picture, folder: ReadContext['folder']): (frames: readonly number[]) => ScanFile | null {
+  const { file, url, set } = picture;
+  if (url !== null && folder?.frames) {
+    const start = new Blob([set.bytes]);
+    return (frames) => ({ file: start, pixels: folder.frames!.addressOf(url, frames), frames });
+  }
+  if (picture.frames > 1) return cutFrames(picture);
+  const source = typeof file === 'string' ? (folder?.sourceOf(file) ?? null) : new Blob([file]);
+  return () => source;
+}
+
+/** Frames of one picture that are read together: those that are had from a server by its frames are not too many. */
+function divideFrames(frames: readonly Frame[]): Frame[][] {
+  const open = new Map<Picture, Frame[]>();
+  const parts: Frame[][] = [];
+  for (const frame of frames) {
+    const { picture } = frame;
+    let part = open.get(picture);
+    const isFull = picture.url !== null && picture.frames > 1 && part?.length === countAtOnce(picture);
+    if (!part || isFull) {
+      open.set(picture, (part = []));
+      parts.push(part);
+    }
+    part.push(frame);
+  }
+  return parts;
+}
+
+/** Its place among the frames of its file. @param tiles - of pictures that were asked for before */
+function placeInFile({ picture, index, corner }: Frame, tiles: Map<Picture, readonly Frame[]>): number {
+  if (picture.frames > 1) return index;
+  const mine = tiles.get(picture) ?? listFrames(picture);
+  tiles.set(picture, mine);
+  return mine.findIndex((tile) => tile.corner.every((at, axis) => at === corner[axis]));
 }
 
 export const listUrls = (frames: readonly Frame[]): string[] =>

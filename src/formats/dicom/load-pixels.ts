@@ -3,11 +3,13 @@ import type { Budget } from '../base/budget.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import { keptBytes } from '../base/format.ts';
 import type { ReadContext } from '../base/format.ts';
-import { checkFrames } from './decode-frame.ts';
-import { listFrames } from './list-frames.ts';
+import { usualAhead } from '../base/read-ahead.ts';
+import { checkFrames, frameBytes } from './decode-frame.ts';
+import type { Frame } from './frame.ts';
 import { readPicture } from './picture.ts';
 import type { Picture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
+import type { DicomFile } from './read-file.ts';
 
 /** Bytes of the first and the second try to have all of a file that lies before its pixels. */
 const tries = [keptBytes, 2 ** 18];
@@ -16,7 +18,7 @@ type Files = Pick<ReadContext, 'folder' | 'budget'>;
 
 /**
  * Reads what a file says of its picture, without its pixels.
- * @returns null where it is better to read the whole file: it has several pictures, or its start is in an unusual form
+ * @returns null where it is better to read the whole file: it has several frames that can't be read alone, or its start is in an unusual form
  */
 export async function readStart(url: string, { folder, budget }: Files, what: string): Promise<Picture | null> {
   for (const length of tries) {
@@ -29,7 +31,7 @@ export async function readStart(url: string, { folder, budget }: Files, what: st
     // Only what is before the pixels stays in memory.
     const kept = bytes.slice(0, start);
     const picture = readPicture(readDicomFile(kept, budget, what, bytes.length + missing - start), what);
-    return picture?.frames === 1 && listFrames(picture).length === 1 ? { ...picture, url, file: url } : null;
+    return picture && (picture.frames === 1 || folder!.frames) ? { ...picture, url, file: url } : null;
   }
   return null;
 }
@@ -45,21 +47,98 @@ function findPixels(bytes: Uint8Array<ArrayBuffer>, budget: Budget, what: string
   }
 }
 
+/** At most so many frames, and so many bytes of them without packing, are read at once. */
+const framesAtOnce = { count: 64, bytes: 2 ** 22 };
+
+/** What is read at once: a file of one frame, or some frames of a file. It is kept until all of them were taken. */
+interface Part {
+  readonly picture: Picture;
+  readonly frames: Frame[];
+  coming?: Promise<Picture>;
+}
+
+/** Loads the pixels of frames, where only the start of their files was read. */
+export class PixelLoader {
+  /** Of each frame that was not taken yet. */
+  readonly #parts = new Map<Frame, Part>();
+  /** How many frames are to be asked for before the first of them is there. */
+  readonly ahead: number;
+
+  /**
+   * @param order - in which the frames are asked for
+   * @param early - so many of them are shown before the others are read
+   */
+  constructor(
+    order: readonly Frame[],
+    early: number,
+    private readonly files: Files,
+  ) {
+    const { folder } = files;
+    const open = new Map<Picture, Part>();
+    let largest = 1;
+    for (const [i, frame] of order.entries()) {
+      const { picture } = frame;
+      if (i === early) for (const one of open.keys()) if (one.frames > 1) open.delete(one);
+      if (picture.url === null) continue;
+      // Tiles of one frame need all of it, whatever their number.
+      const isSingle = picture.frames === 1;
+      let part = open.get(picture);
+      if (!part || (!isSingle && part.frames.length === countAtOnce(picture)))
+        open.set(picture, (part = { picture, frames: [] }));
+      part.frames.push(frame);
+      largest = Math.max(largest, part.frames.length);
+      this.#parts.set(frame, part);
+    }
+    const urls = new Set(order.map(({ picture }) => picture.url).filter((url) => url !== null));
+    this.ahead = Math.max(folder?.plan([...urls]) ?? usualAhead, urls.size > 0 ? usualAhead * largest : 1);
+  }
+
+  /**
+   * A frame with its pixels.
+   * @throws {VolumeViewError} `format/corrupt` where the file ends early, and what reading it throws
+   */
+  async load(frame: Frame): Promise<Frame> {
+    const part = this.#parts.get(frame);
+    if (!part) return frame;
+    this.#parts.delete(frame);
+    const picture = await (part.coming ??= this.#read(part));
+    return { ...frame, picture, index: picture.frames === 1 ? 0 : part.frames.indexOf(frame) };
+  }
+
+  async #read({ picture, frames }: Part): Promise<Picture> {
+    const { folder, budget } = this.files;
+    const { url, what } = picture;
+    if (picture.frames === 1) {
+      const { bytes } = await folder!.readWhole(url!);
+      return withPixels(picture, readDicomFile(bytes, budget, what), 1);
+    }
+    const indices = frames.map(({ index }) => index);
+    const { bytes } = await folder!.frames!.read(url!, indices);
+    return withPixels(picture, readDicomFile(bytes, budget, what), indices.length);
+  }
+}
+
+/** How many frames of a file are read at once. */
+export const countAtOnce = (picture: Picture): number =>
+  Math.max(1, Math.min(framesAtOnce.count, Math.floor(framesAtOnce.bytes / frameBytes(picture))));
+
 /**
- * A picture with its pixels.
- * @throws {VolumeViewError} `format/corrupt` where the file ends early, and what reading it throws
+ * A picture with the pixels of its file, or of some of its frames.
+ * @param read - what has the pixels
+ * @param frames - how many frames they are
+ * @throws {VolumeViewError} `format/corrupt` where they end early
  */
-export async function loadPixels(picture: Picture, { folder, budget }: Files): Promise<Picture> {
-  const { url, what } = picture;
-  if (url === null) return picture;
-  const { bytes } = await folder!.readWhole(url);
-  const file = readDicomFile(bytes, budget, what);
-  const { pixels, syntax } = file;
+export function withPixels(
+  picture: Picture,
+  { pixels, syntax, file }: Pick<DicomFile, 'pixels' | 'syntax' | 'file'>,
+  frames: number,
+): Picture {
+  const { what, set } = picture;
   if (!pixels)
     throw corruptFile(what, 'has no pixels any longer: it was changed while it was read. Choose the files again');
   // A server may say with the pixels how they are packed, on which the colours of a picture depend.
-  const known = syntax.packing === picture.syntax.packing ? picture : readPicture(file, what)!;
-  const whole = { ...known, pixels, url: null };
+  const known = syntax.packing === picture.syntax.packing ? picture : readPicture({ set, pixels, syntax, file }, what)!;
+  const whole = { ...known, pixels, frames, url: null };
   checkFrames(whole);
   return whole;
 }

@@ -5,7 +5,7 @@ import type { Colors } from './colors.ts';
 import type { DataSet } from './data-set.ts';
 import type { DicomFile } from './read-file.ts';
 import type { PixelElement } from './read-elements.ts';
-import { tags } from './tags.ts';
+import { segmentations, tags } from './tags.ts';
 import type { TransferSyntax } from './transfer-syntax.ts';
 
 /** The type of stored numbers. */
@@ -42,11 +42,8 @@ export interface Picture {
 /** More than any scanner writes, and few enough to list. */
 const maxFrames = 2 ** 16;
 
-/** Segmentations, and those of label maps. Source: PS3.6, annex A */
-const segmentations = ['1.2.840.10008.5.1.4.1.1.66.4', '1.2.840.10008.5.1.4.1.1.66.7'];
-
 /** Whether the numbers of a file are labels, and no values. */
-export const isSegmentation = (set: DataSet): boolean => segmentations.includes(set.text(tags.sopClass));
+export const isSegmentation = (set: DataSet): boolean => segmentations.has(set.text(tags.sopClass));
 
 /** Source: PS3.6, annex A */
 const structureSet = '1.2.840.10008.5.1.4.1.1.481.3';

@@ -39,7 +39,7 @@ const describingBytes = 1500;
  * @throws {VolumeViewError} where no file has a picture, or most are damaged
  */
 export async function readFrames(input: DecodeInput, context: ReadContext, files: number): Promise<ReadFrames> {
-  const only = files === 1 ? readWhole(input, context, nameOne(1, 1)) : null;
+  const only = files === 1 && !context.folder ? readWhole(input, context, nameOne(1, 1)) : null;
   if (only && (isSegmentation(only.set) || isStructureSet(only.set))) return { frames: [], left: [], labels: only };
   const frames: Frame[] = [];
   const refused: Refused[] = [];
@@ -122,7 +122,9 @@ async function* readPictures(input: DecodeInput, context: ReadContext, files: nu
     const what = nameOne(i + 1, files);
     const picture =
       (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what);
-    return picture && picture !== 'list' ? { ...picture, file: url } : picture;
+    if (!picture || picture === 'list') return picture;
+    // Else its bytes are kept.
+    return folder.sourceOf(url) === null ? picture : { ...picture, file: url };
   };
   for await (const one of readAhead([input.url, ...further], read)) {
     yield () => {

@@ -3,11 +3,12 @@ import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import { readAhead } from '../base/read-ahead.ts';
 import { hasFiles } from '../base/scan-data.ts';
-import type { ScanFiles, ScanOfVolume } from '../base/scan-data.ts';
+import type { FramesOfFile, ScanFiles, ScanOfVolume } from '../base/scan-data.ts';
 import type { ScanAccess } from '../series/read-scan.ts';
 import type { Frame } from './frame.ts';
 import { joinFrames } from './join-frames.ts';
 import { listFrames } from './list-frames.ts';
+import { withPixels } from './load-pixels.ts';
 import { readPicture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
 import { unpackFile } from './unpack-file.ts';
@@ -41,20 +42,39 @@ export async function readPhase(
   return joinFrames({ frames, left: [] }, {}, context, { ...series, format });
 }
 
-async function readFile(file: Blob | string, what: string, { budget, fetchFile }: ScanAccess): Promise<Frame[]> {
-  const given =
-    typeof file === 'string'
-      ? (await fetchFile(file)).bytes
-      : new Uint8Array(
-          await file.arrayBuffer().catch((): never => {
-            throw changed(what);
-          }),
-        );
+/** The frames of a file; of those that are not read there is no more than what the file says of them. */
+async function readFile(file: ScanFiles['files'][number], what: string, access: ScanAccess): Promise<Frame[]> {
+  if (typeof file === 'object' && 'frames' in file) return readSome(file, what, access);
+  const { budget, fetchFile } = access;
+  const given = typeof file === 'string' ? (await fetchFile(file)).bytes : await readBlob(file, what);
   budget.addFile(given.length);
   const bytes = await unpackFile(given, budget, what);
   const picture = readPicture(readDicomFile(bytes, budget, what), what);
   if (!picture) throw changed(what);
   return listFrames(picture);
+}
+
+async function readSome(
+  { file, pixels, frames }: FramesOfFile,
+  what: string,
+  { budget, fetchPixels }: ScanAccess,
+): Promise<Frame[]> {
+  const bytes = await readBlob(file, what);
+  budget.addFile(bytes.length);
+  const read = readDicomFile(bytes, budget, what, pixels ? 1 : 0);
+  const picture = readPicture(read, what);
+  if (!picture) throw changed(what);
+  const fetched = pixels && (await fetchPixels!(pixels)).bytes;
+  budget.addFile(fetched?.length ?? 0);
+  const there = withPixels(picture, fetched ? readDicomFile(fetched, budget, what) : read, frames.length);
+  return listFrames(picture).map((frame) => ({ ...frame, picture: there, index: frames.indexOf(frame.index) }));
+}
+
+async function readBlob(file: Blob, what: string): Promise<Uint8Array<ArrayBuffer>> {
+  const buffer = await file.arrayBuffer().catch((): never => {
+    throw changed(what);
+  });
+  return new Uint8Array(buffer);
 }
 
 const changed = (what: string): Error =>

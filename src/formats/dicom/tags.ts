@@ -145,3 +145,9 @@ const byId: ReadonlyMap<number, Tag> = new Map(
 
 /** The element of an id, if it is read. */
 export const findTag = (id: number): Tag | undefined => byId.get(id);
+
+/** SOP classes of segmentations, and of those that are label maps. Source: PS3.6, annex A */
+export const segmentations: ReadonlySet<string> = new Set([
+  '1.2.840.10008.5.1.4.1.1.66.4',
+  '1.2.840.10008.5.1.4.1.1.66.7',
+]);

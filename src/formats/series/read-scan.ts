@@ -1,12 +1,16 @@
 import { corruptFile } from '../base/file-problem.ts';
-import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import type { DecodedCartesianVolume, DecodeInput } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
-import type { ScanNumbers } from '../base/scan-data.ts';
+import type { ScanNumbers, WebPixels } from '../base/scan-data.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { scanTypes } from './scan-types.ts';
 
 /** What reading a scan needs: memory, and files of which it reads a part. */
-export type ScanAccess = Pick<ReadContext, 'fetchFile' | 'budget'> & Partial<Pick<ReadContext, 'onProgress'>>;
+export type ScanAccess = Pick<ReadContext, 'fetchFile' | 'budget'> &
+  Partial<Pick<ReadContext, 'onProgress'>> & {
+    /** Fetches pixels from a DICOMweb server, as a file without any other element. */
+    readonly fetchPixels?: (pixels: WebPixels) => Promise<DecodeInput>;
+  };
 
 /**
  * Reads one volume of a file that holds several, without its place in a page (see `placeVolume`).

@@ -5,14 +5,17 @@ import { decodeRequest } from '../../../src/worker/decode-request.ts';
 import type { RequestEnvironment } from '../../../src/worker/decode-request.ts';
 import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../helpers/dicom-bytes.ts';
+import { colorsInJ2k } from '../../helpers/j2k-colors.ts';
 import { regions, structureSetFields } from '../../helpers/dicom-contours.ts';
+import { timedFields } from '../../helpers/dicom-frames.ts';
 import { overlapping, scatter, segmentationFields } from '../../helpers/dicom-segmentation.ts';
 import type { Segmentation } from '../../helpers/dicom-segmentation.ts';
 import { decodeSeries } from '../../helpers/dicom-series.ts';
 import type { Scan } from '../../helpers/dicom-series.ts';
-import { startDicomWeb } from '../../helpers/dicomweb-server.ts';
-import type { DicomWebServer, Faults, WebInstance } from '../../helpers/dicomweb-server.ts';
-import { expectError, roomyLimits } from '../../helpers/decode.ts';
+import { expectTime, openTimes, timesOfFiles } from '../../helpers/dicomweb-times.ts';
+import { withWeb } from '../../helpers/dicomweb-server.ts';
+import type { WebInstance } from '../../helpers/dicomweb-server.ts';
+import { expectError, roomyLimits, valuesOf } from '../../helpers/decode.ts';
 import { fetchSharedData } from '../../helpers/shared-data.ts';
 import { startOrthanc } from '../../helpers/orthanc.ts';
 import type { Orthanc } from '../../helpers/orthanc.ts';
@@ -36,20 +39,6 @@ const labelMap: Segmentation = {
   type: 'LABELMAP',
   frames: [0, 1, 2].map((place) => ({ slice: place, pixels: scatter(15, 4, 30 + place) })),
 };
-
-/** Runs with a server, which ends with it. */
-async function withWeb<T>(
-  instances: readonly WebInstance[],
-  faults: Faults,
-  run: (server: DicomWebServer) => Promise<T>,
-): Promise<T> {
-  const server = await startDicomWeb(instances, faults);
-  try {
-    return await run(server);
-  } finally {
-    await server.close();
-  }
-}
 
 const slices = (count: number): WebInstance[] =>
   Array.from({ length: count }, (_, k) => ({ fields: ctSlice(5 * k, {}, 100 * k) }));
@@ -154,7 +143,8 @@ describe('a series on a DICOMweb server', () => {
     };
     await withWeb([{ fields }], {}, async ({ url, asked }) => {
       await expectSame(await load(`${url}/instances/${fields.SOPInstanceUID as string}`), [dicomBytes(fields)]);
-      expect(asked.filter((path) => path.includes('/frames/'))).to.have.length(3);
+      // Every eighth one first, then the others.
+      expect(asked.filter((path) => path.includes('/frames/'))).to.have.length(4);
     });
   });
 
@@ -173,6 +163,35 @@ describe('a series on a DICOMweb server', () => {
     };
     await withWeb([{ fields: colored }], {}, async ({ url }) => expectSame(await load(url), [dicomBytes(colored)]));
   });
+
+  for (const frames of [1, 2])
+    it(`may have colours that only JPEG 2000 has: ${frames} in an instance`, async () => {
+      const pictures = [0, 1, 2].map((k): WebInstance => ({
+        fields: ctSlice(5 * k, {
+          Modality: 'US',
+          SamplesPerPixel: [3],
+          PhotometricInterpretation: 'YBR_RCT',
+          PlanarConfiguration: [0],
+          BitsAllocated: [8],
+          BitsStored: [8],
+          HighBit: [7],
+          ...(frames > 1 && { NumberOfFrames: String(frames), SpacingBetweenSlices: [2.5] }),
+        }),
+        packed: {
+          syntax: '1.2.840.10008.1.2.4.90',
+          type: 'image/jp2',
+          frames: Array<Uint8Array>(frames).fill(colorsInJ2k.stream),
+        },
+      }));
+      await withWeb(pictures, {}, async ({ url }) => {
+        const values = valuesOf(await load(url));
+        expect(values).to.deep.equal(
+          Array(3 * frames)
+            .fill(colorsInJ2k.luma)
+            .flat(),
+        );
+      });
+    });
 
   it('that is not there, or not open to all, says so without the numbers of a patient', async () => {
     await withWeb(slices(3), { token: 'Bearer x' }, async ({ url }) => {
@@ -355,6 +374,27 @@ describe('a series in Orthanc', () => {
       await check([new Uint8Array(await fetchSharedData(this, `medical/${path}`))]);
     });
   }
+
+  it('of several times is that of the files at each time, slice by slice and frame by frame', async () => {
+    const slices = [0, 1, 2, 0, 1, 2].map((k, i) => {
+      const t = Math.floor(i / 3);
+      return of(6, ctSlice(5 * k, { TriggerTime: String(50 * t), SOPInstanceUID: `6.${t}${k}` }, 100 * t + 10 * k));
+    });
+    const frames = of(7, { ...timedFields({ times: 3, slices: 4, edge: 6 }), SOPInstanceUID: '7.1' });
+    for (const [files, count] of [
+      [slices, 2],
+      [[frames], 3],
+    ] as const) {
+      const bytes = files.map((fields) => dicomBytes(fields));
+      let url = '';
+      for (const one of bytes) url = await orthanc!.upload(one);
+      const { volume, times, show } = await openTimes(url, 1);
+      const expected = await timesOfFiles(bytes);
+      expect(times).to.deep.equal(expected.times);
+      await expectTime(volume, 1, expected);
+      for (let time = 0; time < count; time++) await expectTime(await show(time), time, expected);
+    }
+  });
 
   it('that is not there says so', async () => {
     const { code, message } = await expectError(load(`${orthanc!.root}/studies/1.2.9/series/1.2.404`));

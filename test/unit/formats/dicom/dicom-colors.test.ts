@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { ctSlice, dicomBytes, packRle, pixelFields, syntaxes } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
+import { colorsInJ2k } from '../../../helpers/j2k-colors.ts';
 import { expectError, valuesOf } from '../../../helpers/decode.ts';
 import { jpegColorStreams } from '../../../helpers/jpeg-color-streams.ts';
 
@@ -10,14 +11,8 @@ const rgb = Uint8Array.from([
   207, 21, 45, 60, 46, 205, 222, 149, 10, 24, 85, 110, 159, 122, 67, 40, 177, 188, 8, 29, 115, 100, 227, 132, 107, 110,
   170, 150, 44, 188, 193, 244, 201, 72, 81, 166,
 ]);
-/** Their brightness: 0.2126 red + 0.7152 green + 0.0722 blue, in NumPy. */
-const ofRgb = [62, 60, 154, 74, 126, 149, 31, 193, 114, 77, 230, 85];
 /** That of the same bytes as YBR_FULL: NumPy, of what convert_color_space of pydicom 3.0.2 makes of them. */
 const ofYbr = [203, 59, 213, 37, 173, 36, 36, 86, 100, 147, 145, 70];
-/** The same colours as JPEG 2000, by OpenJPEG 2.5.4 with its reversible transformation of colours. */
-const j2k =
-  '/0//UQAvAAAAAAAEAAAAAwAAAAAAAAAAAAAABAAAAAMAAAAAAAAAAAADBwEBBwEBBwEB/1IADAAAAAEBAAQEAAH/XAAEQED/ZAAlAAFDcmVhdGVkIGJ5IE9wZW5KUEVHIHZlcnNpb24gMi41LjT/kAAKAAAAAABCAAH/k8+0NBiERlCFaeJ8Xoi2MO/fgHgPMd4RWJmapz7cR4DRK5ffgHgDDJJadN7TxemN12ui7UH/2Q==';
-
 const planesOf = (bytes: Uint8Array): Uint8Array<ArrayBuffer> =>
   Uint8Array.from([0, 1, 2].flatMap((plane) => [...bytes.filter((_byte, i) => i % 3 === plane)]));
 
@@ -67,6 +62,8 @@ const pairs = Uint8Array.from(
   [0, 2, 4, 6, 8, 10].flatMap((i) => [rgb[3 * i], rgb[3 * i + 3], rgb[3 * i + 1], rgb[3 * i + 2]]),
 );
 
+const ofRgb = colorsInJ2k.luma;
+
 describe('DICOM in colours', () => {
   const cases: Readonly<Record<string, readonly [fields: DicomFields, form: DicomForm, values: readonly number[]]>> = {
     RGB: [inColors('RGB', rgb), {}, ofRgb],
@@ -78,7 +75,7 @@ describe('DICOM in colours', () => {
     ],
     'YBR_RCT in JPEG 2000': [
       inColors('YBR_RCT', rgb),
-      { syntax: '1.2.840.10008.1.2.4.90', fragments: [Uint8Array.from(atob(j2k), (c) => c.charCodeAt(0))] },
+      { syntax: '1.2.840.10008.1.2.4.90', fragments: [colorsInJ2k.stream] },
       ofRgb,
     ],
     YBR_FULL: [inColors('YBR_FULL', rgb), {}, ofYbr],
