@@ -84,11 +84,14 @@ function notNamed(): VolumeViewError {
   return new VolumeViewError('source/not-found', 'the DICOMweb series names files that it does not hold');
 }
 
+/** Bytes of a list, of which a page makes many objects: that of 10,000 instances has as many. */
+const maxListBytes = 2 ** 26;
+
 async function readMetadata(url: string, reading: QueuedReading): Promise<JsonSet[]> {
   const { bytes } = await fetchFrom(url, {
     accept: 'application/dicom+json',
     what: 'the list of the DICOMweb series',
-    reading,
+    reading: { ...reading, maxBytes: Math.min(maxListBytes, reading.maxBytes ?? maxListBytes) },
   });
   let sets: unknown;
   try {

@@ -22,6 +22,8 @@ export interface FilesCase {
   readonly times?: true;
   /** Set where the files are a list on a server. */
   readonly server?: ServerCase;
+  /** Set where the files are what a DICOMweb server has: the list of a series, then frames and tables by their paths below it. */
+  readonly web?: WebCase;
   readonly settings?: DecodeSettings;
 }
 
@@ -35,6 +37,35 @@ export interface ServerCase {
   /** The place of the file that is not there, and of the one that ends early. */
   readonly lacks: number | null;
   readonly cuts: number | null;
+}
+
+/** How a DICOMweb server answers. */
+export interface WebCase {
+  /** Content types of the list, of an answer with frames, of each of its parts. */
+  readonly listType: string;
+  readonly type: string;
+  readonly partType: string;
+  /** Between parts, whatever the content type says. */
+  readonly boundary: string;
+  /** Before the bytes of a part, instead of its content type alone. */
+  readonly header: string | null;
+  /** What ends a line, and what is before the first part. */
+  readonly lineEnd: string;
+  readonly preamble: string;
+  /** Parts that come too often, or do not come. */
+  readonly moreParts: number;
+  /** Which answers end early, and where: as a share of their bytes. */
+  readonly cuts: { readonly every: number; readonly at: number } | null;
+  /** Which answers break off there, as where a network fails. */
+  readonly breaks: { readonly every: number; readonly at: number } | null;
+  /** Which answers are an error. */
+  readonly status: { readonly every: number; readonly code: number } | null;
+  /** Bytes that come at once. */
+  readonly pieceBytes: number;
+  /** Added to the length that it says; null where it says none. */
+  readonly liesBy: number | null;
+  /** Whether it refuses to send what it has as it has it. */
+  readonly isPlain: boolean;
 }
 
 /** A text for what reads an attribute: `before`, `pump` n times, `after`. */

@@ -1,6 +1,7 @@
 import type { Grammar } from './fuzz-case.ts';
 import { attributes } from './grammars/attributes.ts';
 import { dicom, dicomFolder } from './grammars/dicom.ts';
+import { dicomWeb } from './grammars/dicomweb.ts';
 import { metaImage, nrrd } from './grammars/grid-files.ts';
 import { hdf5, minc } from './grammars/hdf5.ts';
 import { jpeg, webp } from './grammars/image-headers.ts';
@@ -42,6 +43,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   dicom,
   'dicom-folder': dicomFolder,
   'dicom-times': dicomTimes,
+  dicomweb: dicomWeb,
   'server-list': serverList,
   mixture,
   manifest,

@@ -19,8 +19,9 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { buildPolarTable } from '../../src/radar/polar-table.ts';
 import { layOutRadials } from '../../src/radar/polar-layout.ts';
 import { startCounting, stopCounting } from './count-memory.ts';
-import type { FilesCase, FuzzCase, ServerCase } from './fuzz-case.ts';
+import type { FilesCase, FuzzCase, ServerCase, WebCase } from './fuzz-case.ts';
 import { judgeText } from './judge-text.ts';
+import { answerWeb, webSeries } from './web-server.ts';
 import { judgeCost, runSafely } from './verdict.ts';
 import type { Finding, Verdict } from './verdict.ts';
 
@@ -47,18 +48,41 @@ export async function judge(one: FuzzCase): Promise<Verdict> {
 
 async function load(one: FilesCase): Promise<Finding | null> {
   if (one.isTree) return loadTree(one);
+  if (one.web) return loadWeb(one, one.web);
   if (one.times) return loadTimes(one);
   return judgeVolume(await (one.folder ? loadFolder(one) : one.server ? loadList(one, one.server) : loadFiles(one)));
 }
 
+/** Loads the wanted time. */
+type LoadTime = (wanted: Pick<LoadRequest, 'scan' | 'data'>, onScans?: ScansListener) => Promise<Volume>;
+
 /** All times of chosen files, each as it is loaded when it is shown. */
-async function loadTimes(one: FilesCase): Promise<Finding | null> {
+const loadTimes = (one: FilesCase): Promise<Finding | null> =>
+  judgeTimes((wanted, onScans) => loadFolder(wanted.data ? { files: [] } : one, wanted, onScans));
+
+/** All times of a series on a DICOMweb server. */
+function loadWeb({ files }: FilesCase, web: WebCase): Promise<Finding | null> {
+  const fetch = answerWeb(files, web);
+  return withoutWaits(() =>
+    judgeTimes((wanted, onScans) =>
+      decodeRequest(
+        { url: webSeries, limits: device, ...wanted },
+        { pageOrigin: 'https://example.test', onProgress: () => undefined, onCoarse: () => undefined, onScans, fetch },
+      ),
+    ),
+  );
+}
+
+/** So many times are shown. */
+const maxTimes = 8;
+
+async function judgeTimes(load: LoadTime): Promise<Finding | null> {
   const scans: ScanData[] = [];
-  const first = await loadFolder(one, { scan: { index: 0 } }, (_times, data) => scans.push(...(data ?? [])));
+  const first = await load({ scan: { index: 0 } }, (_times, data) => scans.push(...(data ?? [])));
   let wrong = judgeVolume(first);
-  for (const [index, data] of scans.entries()) {
+  for (const [index, data] of scans.slice(0, maxTimes).entries()) {
     try {
-      wrong ??= judgeVolume(await loadFolder({ files: [] }, { scan: { index }, data }));
+      wrong ??= judgeVolume(await load({ scan: { index }, data }));
     } catch (error) {
       if (!(error instanceof VolumeViewError) || error.code === 'internal') throw error;
     }

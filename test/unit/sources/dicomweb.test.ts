@@ -225,6 +225,14 @@ describe('a series on a DICOMweb server', () => {
         expect(message).to.match(/^the server does not answer as DICOMweb does/);
       });
     }
+    const long = `[]${' '.repeat(2 ** 26)}`;
+    await withWeb(slices(1), { metadata: { type: 'application/json', text: long } }, async ({ url }) => {
+      const { code, message } = await expectError(load(url));
+      expect([code, message]).to.deep.equal([
+        'format/too-large',
+        'the list of the DICOMweb series has 67,108,866 bytes or more; expected at most 67,108,864',
+      ]);
+    });
     const bad = JSON.stringify([{ '00080018': { vr: 'UI', Value: ['../../x'] } }]);
     await withWeb(slices(1), { metadata: { type: 'application/json', text: bad } }, async ({ url, asked }) => {
       expect((await expectError(load(url))).message).to.match(/without its number/);
