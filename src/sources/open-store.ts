@@ -143,6 +143,7 @@ async function openPart(
     ...(isSeries && { isPrivate: true }),
     ...(folder && { folder }),
     describe: (volume) => volume,
+    sourceOf: (url) => store.sourceOf?.(url) ?? null,
     async read(url, reading) {
       if (url.startsWith(base))
         // The start of the first file says its format. Its reader reads all of them by itself.

@@ -16,6 +16,8 @@ export interface OpenedFiles {
   readonly folder?: FolderReader;
   /** Set for a Zarr, whose reader reads its many files by itself: the first one is empty, and has more that is missing. */
   readonly tree?: FileTree;
+  /** Where a file can be read again without this, as ByteStore says; undefined where none can. */
+  sourceOf?(url: string): Blob | string | null;
   /** Adds to what was read where it comes from, without a name, which other volumes there are, and what is in none of them. */
   describe<T extends DecodedVolume>(volume: T): T;
   /** Reads any file that belongs to it, of a folder its start; it needs no `this`. @throws {VolumeViewError} as ByteStore says, and `source/not-found` for files of other places */

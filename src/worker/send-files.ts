@@ -16,15 +16,10 @@ export function sendFiles(request: WorkerOrder['request'], signal: AbortSignal):
   const { local, data } = request as Partial<LoadRequest>;
   if (!local) return request;
   // One of several times has its own files with it, as a browser keeps them.
-  if (data && !namesFiles(data, local.base)) return { ...request, local: { ...local, files: [] } };
+  if (data) return { ...request, local: { ...local, files: [] } };
   const { port1, port2 } = new MessageChannel();
   void sendGroups(local.files, port1, signal);
   return { ...request, local: { ...local, files: [], rest: port2 } };
-}
-
-/** Whether a scan is a part of a chosen file. @param base - of the URLs of chosen files */
-function namesFiles(data: NonNullable<LoadRequest['data']>, base: string): boolean {
-  return JSON.stringify('sweeps' in data ? data.sweeps : 'from' in data && data.from).includes(base);
 }
 
 async function sendGroups(files: readonly unknown[], port: MessagePort, signal: AbortSignal): Promise<void> {

@@ -23,7 +23,7 @@ describe('chosen files on their way to a worker', () => {
 
   for (const [what, data] of [
     ['has its own files', { from: { files: files.slice(40, 60), slices: [[0, 0]] } }],
-    ['has numbers that the browser keeps', { from: new Blob(['numbers']) }],
+    ['has numbers that the browser keeps', { from: new Blob(['numbers']).slice(2, 5) }],
     ['has numbers of a place', { from: [new Blob(['1']), new Blob(['2'])] }],
     ['has sweeps', { sweeps: [[files[3], 94]] }],
     ['is on a server', { from: { url: 'https://example.test/a.nii', start: 0, end: 9 } }],
@@ -34,11 +34,4 @@ describe('chosen files on their way to a worker', () => {
       expect(sent).to.equal(data);
     });
   }
-
-  it('all are sent where a time is a part of one of them', async () => {
-    for (const from of [{ url: `${base}7.dcm`, start: 0, end: 1 }, [{ url: `${base}7.dcm`, start: 0, end: 1 }]]) {
-      const store = await openLocal(send({ from }).local!, signal);
-      expect(await store.list()).to.have.length(100);
-    }
-  });
 });
