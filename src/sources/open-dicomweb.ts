@@ -254,6 +254,11 @@ function describePixels(
   const [frames = 1] = numbersOf(set, 0x00280008);
   if (!(Number.isInteger(frames) && frames >= 1 && frames <= 2 ** 16))
     throw new VolumeViewError('format/corrupt', `${what} got ${String(frames)} frames; expected 1 to 65,536`);
+  if (!(bits >= 0 && samples >= 0 && rows <= 0xffff && columns <= 0xffff && bits <= 64 && samples <= 0xffff))
+    throw new VolumeViewError(
+      'format/corrupt',
+      `${what} got ${columns} x ${rows} pixels of ${samples} numbers of ${bits} bits; expected what DICOM has, such as 512 x 512 pixels of 1 number of 16 bits`,
+    );
   const id = [0x7fe00008, 0x7fe00009].find((one) => elementOf(set, one)) ?? 0x7fe00010;
   return { id, bits, frames, frameBytes: (rows * columns * samples * bits) / 8 };
 }

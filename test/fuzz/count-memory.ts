@@ -136,7 +136,7 @@ function watchLists(): void {
   const from = Array.from.bind(Array) as (...args: unknown[]) => unknown[];
   Array.from = function (source: unknown, ...more: unknown[]) {
     const { length } = (source ?? {}) as { length?: unknown };
-    if (typeof length === 'number' && !Array.isArray(source)) note(8 * Math.max(0, length));
+    if (typeof length === 'number' && !Array.isArray(source)) note(8 * Math.max(0, length || 0));
     return from(source, ...more);
   } as typeof Array.from;
 }

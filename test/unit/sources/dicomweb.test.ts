@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import type { CoarseVolume } from '../../../src/formats/base/load-request.ts';
 import { decodeRequest } from '../../../src/worker/decode-request.ts';
 import type { RequestEnvironment } from '../../../src/worker/decode-request.ts';
-import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
+import { ctSlice, dicomBytes, dicomJson, packRle } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../helpers/dicom-bytes.ts';
 import { colorsInJ2k } from '../../helpers/j2k-colors.ts';
 import { regions, structureSetFields } from '../../helpers/dicom-contours.ts';
@@ -223,6 +223,20 @@ describe('a series on a DICOMweb server', () => {
         const { code, message } = await expectError(load(url));
         expect(code).to.equal('format/unknown');
         expect(message).to.match(/^the server does not answer as DICOMweb does/);
+      });
+    }
+    for (const [tag, vr, value] of [
+      ['00280100', 'US', 'x'],
+      ['00280002', 'US', 1e9],
+      ['00280010', 'US', 2 ** 40],
+    ] as const) {
+      const odd = { ...dicomJson(ctSlice(0), () => ''), [tag]: { vr, Value: [value] } };
+      const text = JSON.stringify([odd]);
+      await withWeb(slices(1), { metadata: { type: 'application/json', text } }, async ({ url, asked }) => {
+        const { code, message } = await expectError(load(url));
+        expect(code).to.equal('format/corrupt');
+        expect(message).to.match(/^the instance got .* expected what DICOM has, such as 512 x 512 pixels/);
+        expect(asked).to.deep.equal(['/metadata']);
       });
     }
     const long = `[]${' '.repeat(2 ** 26)}`;
