@@ -20,7 +20,12 @@ function writeExample({ code, files, reason }, label) {
   const block = `<pre tabindex="0" role="textbox" aria-multiline="true" aria-label="${label}" spellcheck="false"><code>${escapeHtml(code)}</code></pre>`;
   if (reason)
     return `<figure class="plain"><pre tabindex="0"><code>${escapeHtml(code)}</code></pre><figcaption>${escapeHtml(reason)}</figcaption></figure>\n`;
-  return `<figure class="example" data-files="${escapeHtml(files.join(' '))}"><div class="code">${block}<div class="buttons"></div></div><div class="picture"></div></figure>\n`;
+  // Elements that stand under the picture.
+  const isTall =
+    /<volume-(slice-view|timeline|legend|transfer-function|label-list|readout|tour|workspace|measure|series)\b/.test(
+      code,
+    );
+  return `<figure class="example${isTall ? ' tall' : ''}" data-files="${escapeHtml(files.join(' '))}"><div class="code">${block}<div class="buttons"></div></div><div class="picture"></div></figure>\n`;
 }
 
 /**

@@ -23,7 +23,7 @@ export const sampleFiles = {
   'torso-ct.nii.gz': torso,
   'head-ct.nii.gz': torso,
   'ct.nii.gz': torso,
-  'storm.nii.gz': 'storm-synthetic.nii.gz',
+  'storm.nii.gz': 'storm-radar-1500.json',
   'functional.nii': 'functional.nii',
   'functional.nii.gz': 'functional.nii',
   'study.zip': 'head-mr-dicom.zip',
