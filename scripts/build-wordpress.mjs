@@ -48,7 +48,10 @@ export function gatherPlugin() {
   for (const [name, bytes] of element) hash.update(`${name}\0${bytes.length}\0`).update(bytes);
   const folder = hash.digest('hex').slice(0, 12);
   for (const [name, bytes] of element) files.set(`element/${folder}/${name}`, bytes);
-  files.set('element/folder.php', Buffer.from(`<?php\n// The folder of this build.\nreturn '${folder}';\n`));
+  files.set(
+    'element/folder.php',
+    Buffer.from(`<?php\n// The folder of this build.\ndefined( 'ABSPATH' ) || exit;\nreturn '${folder}';\n`),
+  );
   return files;
 }
 
