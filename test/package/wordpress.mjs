@@ -217,10 +217,10 @@ async function checkPages(php, wordPress) {
     const folder = 'https://site.example/wp-content/uploads/';
     const [{ html }, other] = render([
       { given: { src: `${folder}mosaic-scaled.png`, mosaic: '8x8' } },
-      { given: { src: `${folder}other-scaled.png` } },
+      { given: { src: `${folder}other-scaled.png`, poster: `${folder}mosaic-scaled.png` } },
     ]);
     assert.match(html, /src="[^"]*\/mosaic\.png"/);
-    assert.match(other.html, /src="[^"]*\/other-scaled\.png"/);
+    assert.match(other.html, /src="[^"]*\/other-scaled\.png" poster="[^"]*\/mosaic-scaled\.png"/);
   });
 
   await check('a feed has the poster with a link, and no script', () => {

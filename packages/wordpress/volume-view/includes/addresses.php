@@ -25,7 +25,7 @@ function volume_view_read_address( $text ) {
 	if ( ! is_array( $parts ) || isset( $parts['user'] ) || isset( $parts['pass'] ) ) {
 		return '';
 	}
-	return volume_view_find_original( $address );
+	return $address;
 }
 
 /**

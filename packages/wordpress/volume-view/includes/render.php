@@ -83,7 +83,7 @@ function volume_view_read_text( $kind, $text ) {
 	}
 	if ( 'addresses' === $kind ) {
 		$addresses = array_map( 'volume_view_read_address', preg_split( '/\s+/', $text, -1, PREG_SPLIT_NO_EMPTY ) );
-		return in_array( '', $addresses, true ) ? '' : implode( ' ', $addresses );
+		return in_array( '', $addresses, true ) ? '' : implode( ' ', array_map( 'volume_view_find_original', $addresses ) );
 	}
 	if ( 'flag-or-text' === $kind && in_array( strtolower( $text ), array( 'true', 'false' ), true ) ) {
 		return 'true' === strtolower( $text );
