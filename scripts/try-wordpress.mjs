@@ -9,7 +9,9 @@ import { findBrowser, listTestArgs } from './find-browser.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { startSite } from './wordpress/start-site.mjs';
 import { tryBlock } from './wordpress/try-block.mjs';
+import { tryLanguage } from './wordpress/try-language.mjs';
 import { tryPages } from './wordpress/try-pages.mjs';
+import { tryRemoval } from './wordpress/try-removal.mjs';
 import { tryUploads } from './wordpress/try-uploads.mjs';
 
 const [from = '/usr/share/wordpress', pictures] = process.argv.slice(2);
@@ -24,6 +26,8 @@ try {
   await tryUploads(trial);
   await tryBlock(trial);
   await tryPages(trial);
+  await tryLanguage(trial);
+  tryRemoval(trial);
   assert.deepEqual(site.listErrors(), []);
   console.log('PHP has logged no error');
 } catch (error) {

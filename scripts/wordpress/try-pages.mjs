@@ -1,6 +1,6 @@
-// Shortcodes, hostile attributes, pages without a volume, feeds, other sites' frames, and German.
+// Shortcodes, hostile attributes, pages without a volume, feeds, and the frames of other sites.
 import assert from 'node:assert/strict';
-import { enter, openEditor, read, readPixels, waitForPicture } from './trial.mjs';
+import { read, readPixels, waitForPicture } from './trial.mjs';
 
 /** @param {import('./trial.mjs').Trial} trial */
 export async function tryPages(trial) {
@@ -110,26 +110,4 @@ export async function tryPages(trial) {
   assert.doesNotMatch(feed, /<volume-view/);
   await frame.page.context().close();
   console.log('the frame for other sites and the feed have the poster');
-
-  // In German, with the words of the editor.
-  site.run(`update_option( 'WPLANG', 'de_DE' );`);
-  const admin = await enter(trial, 'admin');
-  await admin.goto(`${site.url}/wp-admin/options-media.php`);
-  assert.match(await admin.innerText('body'), /Volumen/);
-  await openEditor(admin, `${site.url}/wp-admin/post-new.php`);
-  const words = await admin.evaluate(() =>
-    /** @type {any} */ (window).wp.i18n.__('Start from this view', 'volume-view'),
-  );
-  assert.notEqual(words, 'Start from this view');
-  site.run(`update_option( 'WPLANG', '' );`);
-  console.log(`German: ${words}`);
-
-  // Deactivated and deleted, nothing stays but posts and files.
-  assert.match(site.run(`var_export( get_option( 'volume_view_uploads' ) );`), /1|true/);
-  site.run(
-    `require_once ABSPATH . 'wp-admin/includes/plugin.php'; deactivate_plugins( 'volume-view/volume-view.php' ); uninstall_plugin( 'volume-view/volume-view.php' );`,
-  );
-  assert.equal(site.run(`var_export( get_option( 'volume_view_uploads', 'gone' ) );`), "'gone'");
-  await admin.context().close();
-  console.log('the plugin takes its option away');
 }
