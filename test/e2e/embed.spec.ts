@@ -201,10 +201,11 @@ test('a lesson file is shown with its credits, and its steps open by messages; a
   const frame = await openParent(page, 'lesson=../lessons/lesson.html');
   await expect(frame.getByRole('heading', { name: 'First' })).toBeVisible();
   await expect(frame.getByText('CC0 1.0')).toBeVisible();
-  expect(await frame.locator('html').evaluate((html) => [html.getAttribute('lang'), document.title])).toEqual([
-    'de',
-    'Two steps',
-  ]);
+  expect(
+    await frame
+      .locator('html')
+      .evaluate((html) => [html.getAttribute('lang'), html.getAttribute('dir'), document.title]),
+  ).toEqual(['de', 'ltr', 'Two steps']);
   await expect(frame.locator('volume-view')).toHaveAttribute('src', `${siteUrl()}/lessons/field.nii.gz`);
   const [before, after] = await page.evaluate(async () => {
     const { one } = window as unknown as ParentPage;

@@ -1,5 +1,6 @@
 // The page for frames. Its script has an attribute `data-page` in the pages of an embed folder: `lesson`, where the lesson is in the page already, or
 // `poster`, where a button leads to it. Without it, the address says what is shown.
+import { setLanguage } from './set-language.ts';
 import { wordOfShow } from '../../lesson-writers/src/word-of-show.ts';
 import { addProblems, showMessage } from './page-parts.ts';
 import { showLesson } from './show-lesson.ts';
@@ -40,7 +41,7 @@ function showPoster(poster: string, { attributes }: EmbedPlan): void {
 }
 
 function showAddress(): void {
-  if (plan.language !== null) document.documentElement.lang = plan.language;
+  if (plan.language !== null) setLanguage(plan.language);
   document.title = plan.attributes.find(([name]) => name === 'alt')?.[1] || document.title;
   const hasSource = plan.lesson !== null || plan.attributes.some(([name]) => name === 'src');
   if (!hasSource) showMessage(english.nothing, english.nothingHint);

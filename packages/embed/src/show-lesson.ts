@@ -1,3 +1,4 @@
+import { setLanguage } from './set-language.ts';
 import type { LessonContent } from '../../lesson-writers/src/check-lesson-html.ts';
 import { buildNode } from './build-node.ts';
 import { addProblems, addText, loadPlayer, showMessage } from './page-parts.ts';
@@ -55,7 +56,7 @@ async function fetchText(address: string): Promise<{ text: string; url: string }
 function applyHead({ head, nodes }: LessonContent): void {
   const { title, language, license, author } = head;
   if (title) document.title = title;
-  if (language && /^[A-Za-z0-9-]{2,35}$/.test(language)) document.documentElement.lang = language;
+  if (language && /^[A-Za-z0-9-]{2,35}$/.test(language)) setLanguage(language);
   // A page of the writers has them already.
   const hasCredits = nodes.some(
     (node) =>

@@ -1,3 +1,4 @@
+import { directionOf } from './direction-of.ts';
 import styles from './lesson.css?raw';
 import { listManifestFiles } from './manifest-files.ts';
 import { cleanPath, dataFolder, writeAddress } from './lesson-paths.ts';
@@ -119,7 +120,7 @@ ${form.end}`,
 /** A document about a lesson. @param head - HTML at the end of the head */
 export function writeDocument({ title, language, licence, credits }: Lesson, head: string, body: string): string {
   return `<!doctype html>
-<html lang="${escapeMarkup(language)}">
+<html lang="${escapeMarkup(language)}"${directionOf(language) === 'rtl' ? ' dir="rtl"' : ''}>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">

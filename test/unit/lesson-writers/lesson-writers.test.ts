@@ -198,6 +198,12 @@ describe('writers of lessons', () => {
     );
     expect(refusal(() => writePageFiles(lessonOf(view, { licence: ' ' }), player))).to.match(/got no licence/);
     expect(refusal(() => writePageFiles(lessonOf(view, { credits: '' }), player))).to.match(/got no credits/);
+    const htmlOf = (language: string): string =>
+      new TextDecoder().decode(
+        writePageFiles(lessonOf(view, { language }), player).find(({ path }) => path === 'index.html')!.bytes,
+      );
+    expect(htmlOf('ar')).to.contain('<html lang="ar" dir="rtl">');
+    expect(htmlOf('de')).to.contain('<html lang="de">');
     expect(refusal(() => writePageFiles(lessonOf(view, { language: '"><script>' }), player))).to.match(
       /got no language/,
     );
