@@ -1,6 +1,6 @@
 // `npm run bench -- folder`: a folder of DICOM slices, and a ZIP archive of it, from the choice to the first and the final
 // picture: times, memory, the longest task of the page, bytes from the disk; and other readers on the same files in the same
-// run (test/bench/peers). SLICES=600 EDGE=512 REPEATS=3 FORMS=raw,rle,zip PEERS=dicom-parser,dcm2niix
+// run (test/bench/peers). SLICES=600 EDGE=512 REPEATS=3 FORMS=raw,rle,zip PEERS=dicom-parser,dcm2niix,cornerstone
 import {
   existsSync,
   mkdtempSync,
@@ -19,6 +19,7 @@ import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { repeats as usualRepeats } from './knobs.mjs';
 import { writeSeries } from './synthetic-dicom.mjs';
+import { buildLoader } from './peers/build.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
 import { traceTasks } from './trace-tasks.mjs';
 import { watchMemory } from './watch-memory.mjs';
@@ -28,7 +29,7 @@ const slices = Number(process.env.SLICES ?? 600);
 const edge = Number(process.env.EDGE ?? 512);
 const repeats = process.env.REPEATS ? usualRepeats : 3;
 const forms = /** @type {('raw' | 'rle' | 'zip')[]} */ ((process.env.FORMS ?? 'raw,rle,zip').split(','));
-const peers = (process.env.PEERS ?? 'dicom-parser,dcm2niix').split(',').filter(Boolean);
+const peers = (process.env.PEERS ?? 'dicom-parser,dcm2niix,cornerstone').split(',').filter(Boolean);
 
 /** Bytes of the samples. */
 const sampleBytes = 2 * edge * edge * slices;
@@ -122,7 +123,25 @@ async function openWithConverter() {
   return { lastVoxel, longestTask: /** @type {any} */ (window).longestTask, voxels: (bytes.byteLength - 352) / 2 };
 }
 
-const readers = { ours: openInElement, 'dicom-parser': openWithParser, dcm2niix: openWithConverter };
+/** In the page: Cornerstone's loader, which decodes in workers. */
+async function openWithLoader() {
+  const module = '/test/bench/peers/dist/cornerstone.js';
+  const { openFolder } = await import(module);
+  const { files } = /** @type {HTMLInputElement} */ (document.querySelector('input'));
+  /** @type {any} */ (window).longestTask = 0;
+  const began = performance.now();
+  const all = await openFolder(files);
+  const lastVoxel = performance.now() - began;
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  return { lastVoxel, longestTask: /** @type {any} */ (window).longestTask, voxels: all.length };
+}
+
+const readers = {
+  ours: openInElement,
+  'dicom-parser': openWithParser,
+  dcm2niix: openWithConverter,
+  cornerstone: openWithLoader,
+};
 
 /** Bytes that the browser's own process, which reads files for its pages, has read; null where the system does not tell. */
 function countRead(/** @type {number} */ id) {
@@ -131,6 +150,7 @@ function countRead(/** @type {number} */ id) {
 }
 
 export async function run() {
+  if (findPeers().includes('cornerstone')) await buildLoader();
   const scratch = mkdtempSync(join(tmpdir(), 'volume-view-folder-'));
   try {
     const chosen = Object.fromEntries(forms.map((form) => [form, makeFiles(scratch, form)]));

@@ -17,17 +17,27 @@ export async function preparePeers() {
   return isThere;
 }
 
-async function buildPeers() {
+/** Bundle Cornerstone's loader, with its workers. */
+export const buildLoader = () => buildModules(['cornerstone']);
+
+const buildPeers = () => buildModules(peerNames);
+
+async function buildModules(/** @type {readonly string[]} */ names) {
   await build({
     configFile: false,
     root: folder,
+    base: './',
     logLevel: 'error',
     publicDir: false,
     define: { 'process.env.NODE_ENV': '"production"' },
+    // Node's own module of this name, which a package of Cornerstone's extends.
+    resolve: { alias: { events: join(folder, 'node_modules/events/events.js') } },
+    worker: { format: 'es' },
     build: {
       outDir: 'dist',
+      emptyOutDir: false,
       target: 'es2022',
-      lib: { entry: Object.fromEntries(peerNames.map((name) => [name, join(folder, `${name}.js`)])), formats: ['es'] },
+      lib: { entry: Object.fromEntries(names.map((name) => [name, join(folder, `${name}.js`)])), formats: ['es'] },
     },
   });
 }
