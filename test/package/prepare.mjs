@@ -172,5 +172,130 @@ await check('files are named without folders, whatever a radar file calls its qu
   assert.ok(nameFiles('s'.repeat(4000), 'm'.repeat(4000)).length < 250);
 });
 
+/** Whole numbers of 16 bits over some times, as NIfTI-1 has them. */
+const moving = {
+  dimensions: [12, 9, 5],
+  times: 6,
+  valueAt: (/** @type {number} */ i, /** @type {number} */ t) => Math.round(300 + 290 * Math.sin(i / 7 + t / 2)),
+};
+
+/** @param {string} path */
+function writeMoving(path) {
+  const { dimensions, times, valueAt } = moving;
+  const count = dimensions.reduce((a, b) => a * b);
+  const bytes = Buffer.alloc(352 + 2 * count * times);
+  bytes.writeInt32LE(348, 0);
+  [4, ...dimensions, times, 1, 1, 1].forEach((n, i) => bytes.writeInt16LE(n, 40 + 2 * i));
+  bytes.writeInt16LE(4, 70);
+  bytes.writeInt16LE(16, 72);
+  [1, 2, 2, 3, 0.5].forEach((n, i) => bytes.writeFloatLE(n, 76 + 4 * i));
+  bytes.writeFloatLE(352, 108);
+  bytes[123] = 2 + 8; // mm and seconds
+  bytes.write('n+1\0', 344, 'latin1');
+  for (let t = 0; t < times; t++)
+    for (let i = 0; i < count; i++) bytes.writeInt16LE(valueAt(i, t), 352 + 2 * (t * count + i));
+  writeFileSync(path, bytes);
+}
+
+const needsFfmpeg = () => (spawnSync('ffmpeg', ['-version']).error ? 'left out: ffmpeg is not on the PATH' : null);
+
+await check('scans in time become a video, within the error that is stated and allowed', () => {
+  const left = needsFfmpeg();
+  if (left) return left;
+  writeMoving(join(work, 'moving.nii'));
+  const { dimensions, times, valueAt } = moving;
+  const [nx, ny, nz] = dimensions;
+  const sizes = [];
+  for (const [error, codec] of [
+    ['0', 'vp9'],
+    ['8', 'vp9'],
+    ['8', 'av1'],
+  ]) {
+    const { status, stderr, stdout } = run(
+      'moving.nii',
+      '--as',
+      'video',
+      '--out',
+      'moving',
+      '--error',
+      error,
+      '--codec',
+      codec,
+    );
+    assert.equal(status, 0, stderr);
+    assert.match(stdout, /6 scans/);
+    const {
+      video,
+      mosaic,
+      slices,
+      slope,
+      intercept,
+      scans,
+      lossy,
+      spacing: _,
+      ...rest
+    } = JSON.parse(readFileSync(join(work, 'moving.json'), 'utf8'));
+    assert.equal(video, 'moving.webm');
+    assert.equal(slices, nz);
+    assert.ok(rest.indexToWorld.length === 12);
+    assert.deepEqual(
+      scans.map((/** @type {{ time: string }} */ { time }) => time),
+      ['0 s', '0.5 s', '1 s', '1.5 s', '2 s', '2.5 s'],
+    );
+    // The true error, by ffmpeg alone.
+    const columns = Number(mosaic.split('x')[0]);
+    const [width, height] = [columns * nx, Number(mosaic.split('x')[1]) * ny];
+    const frameBytes = width * height + 2 * Math.ceil(width / 2) * Math.ceil(height / 2);
+    const raw = spawnSync(
+      'ffmpeg',
+      ['-loglevel', 'error', '-i', 'moving.webm', '-f', 'rawvideo', '-pix_fmt', 'yuv420p', '-'],
+      {
+        cwd: work,
+        maxBuffer: 2 ** 24,
+      },
+    ).stdout;
+    assert.equal(raw.length, times * frameBytes);
+    let [squares, max] = [0, 0];
+    for (let t = 0; t < times; t++)
+      for (let k = 0, i = 0; k < nz; k++)
+        for (let y = 0; y < ny; y++)
+          for (let x = 0; x < nx; x++, i++) {
+            const at = t * frameBytes + (Math.floor(k / columns) * ny + y) * width + (k % columns) * nx + x;
+            const off = Math.abs(slope * raw[at] + intercept - valueAt(i, t));
+            squares += off * off;
+            max = Math.max(max, off);
+          }
+    const rms = Math.sqrt(squares / (times * nx * ny * nz));
+    assert.ok(Math.abs(lossy.rms - rms) < 1e-3 * rms, `${lossy.rms} for ${rms}`);
+    assert.ok(max <= lossy.max * 1.001, `${lossy.max} for ${max}`);
+    assert.ok(error === '0' ? rms < 580 / 255 : rms <= 8, `${rms} for ${error}`);
+    assert.ok(lossy.picture.rms >= 0 && lossy.picture.max >= lossy.picture.p99);
+    sizes.push(readFileSync(join(work, 'moving.webm')).length);
+  }
+  assert.ok(sizes[1] < sizes[0] && sizes[2] < sizes[0], sizes.join());
+  return `${sizes.join(', ')} bytes`;
+});
+
+await check('a video without ffmpeg, of one scan, of labels and with wrong options is refused in words', () => {
+  writeMoving(join(work, 'moving.nii'));
+  const { bin } = JSON.parse(readFileSync(join(installed, 'package.json'), 'utf8'));
+  const program = join(installed, bin['volume-view-prepare']);
+  const without = spawnSync(process.execPath, [program, 'moving.nii', '--as', 'video'], {
+    cwd: work,
+    encoding: 'utf8',
+    env: { PATH: work },
+  });
+  assert.equal(without.status, 1);
+  assert.match(without.stderr, /needs the program ffmpeg.*install it/);
+  assert.match(run('moving.nii', '--as', 'video', '--codec', 'mpeg').stderr, /got --codec mpeg; expected vp9 or av1/);
+  assert.match(run('moving.nii', '--as', 'video', '--error', '-1').stderr, /got --error -1|ambiguous/);
+  const left = needsFfmpeg();
+  if (left) return left;
+  const one = run(fixture('radar/odim-2.2.h5'), '--as', 'video');
+  assert.equal(one.status, 1);
+  assert.match(one.stderr, /got one scan; expected several/);
+  return '';
+});
+
 rmSync(consumer, { recursive: true });
 finish();

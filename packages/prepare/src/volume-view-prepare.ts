@@ -15,6 +15,8 @@ import { version } from '../package.json';
 
 const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAME]
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
+volume-view-prepare FILES --as video [--codec av1] [--error VALUE] [--moment NAME] [--out NAME]
+    scans in time, of one file or of several in the order of time, as a video NAME.webm, each frame a mosaic, and its manifest NAME.json. It needs ffmpeg. Without --error it is lossless but for its 8 bits
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
 volume-view-prepare FILE --as ome-zarr [--out NAME]
@@ -67,6 +69,32 @@ async function writePyramids(path: string, out: string | undefined): Promise<voi
     console.log(`${folder}: ${dimensions.join(' x ')} voxels, ${files} files, ${(bytes / 1e6).toFixed(1)} MB`);
     for (const line of left) console.error(`left out: ${line}`);
   }
+}
+
+async function writeFrames(
+  paths: readonly string[],
+  { codec = 'vp9', error = '0', moment, out }: { codec?: string; error?: string; moment?: string; out?: string },
+): Promise<void> {
+  const { codecs } = await import('./ffmpeg.ts');
+  const known = codecs.find((one) => one === codec);
+  if (!known) throw new Misuse(`got --codec ${codec}; expected ${codecs.join(' or ')}`);
+  const limit = Number(error);
+  if (!(limit >= 0 && limit < Infinity))
+    throw new Misuse(`got --error ${error}; expected a number from 0, in data values`);
+  const { writeVideo } = await import('./write-video.ts');
+  const written = await writeVideo({
+    ...{ paths, codec: known, error: limit, moment, out },
+    deviceBytes: shareOfMemory * totalmem(),
+  });
+  const { lossy, unit, changed } = written;
+  const say = (value: number): string => `${Number(value.toPrecision(3))} ${unit}`.trim();
+  console.log(
+    `${written.name}.webm and ${written.name}.json: ${written.frames} scans, ${written.bytes} bytes; values are off by ${say(lossy.rms)} (root mean square), ` +
+      `99 % of them by at most ${say(lossy.p99)}, at most by ${say(lossy.max)}; pictures by ${lossy.picture?.rms.toPrecision(2)} of 255`,
+  );
+  if (changed > 0) console.error(`${(100 * changed).toPrecision(2)} % of the places have data before or after alone`);
+  if (limit > 0 && lossy.rms > limit)
+    console.error(`--error ${error} was not reached: 8 bits alone leave more. Allow a larger error, or write mosaics`);
 }
 
 interface SiteValues {
@@ -171,6 +199,8 @@ async function main(): Promise<void> {
       licence: { type: 'string' },
       credits: { type: 'string' },
       pass: { type: 'string' },
+      codec: { type: 'string' },
+      error: { type: 'string' },
       address: { type: 'string' },
       'keep-names': { type: 'boolean', default: false },
       deface: { type: 'boolean', default: false },
@@ -179,6 +209,8 @@ async function main(): Promise<void> {
   });
   if (values.help) return console.log(usage);
   const [path] = positionals;
+  if (values.as === 'video' && path !== undefined && !positionals.some((one) => statSync(one).isDirectory()))
+    return writeFrames(positionals, values);
   if (positionals.length !== 1) throw new Misuse(`got ${positionals.length} files; expected one`);
   if (values.deface)
     throw new Misuse(
@@ -190,7 +222,7 @@ async function main(): Promise<void> {
   if (as === 'mosaic') return writeMosaic(path, values.moment, values.out);
   if (as === 'page') return writeVolumePage(path, values.alt, values.out);
   if (as === 'ome-zarr') return writePyramids(path, values.out);
-  throw new Misuse(`got --as ${as}; expected mosaic, page or ome-zarr`);
+  throw new Misuse(`got --as ${as}; expected mosaic, page or ome-zarr, or video for scans in time`);
 }
 
 await main().catch((error: unknown) => {

@@ -75,6 +75,8 @@ const parse = (text: string): [number, number, number] =>
 export interface PreparedFields {
   readonly labels?: readonly NamedLabel[];
   readonly noData?: number;
+  /** Of a video: pixels below this number have no data, as a lossy codec makes other numbers near 0 of 0. */
+  readonly noDataBelow?: number;
   readonly anatomical?: boolean;
   readonly prepared?: Prepared;
 }

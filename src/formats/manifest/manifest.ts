@@ -204,6 +204,7 @@ const checks: { readonly [Name in Exclude<keyof Manifest, 'scans'>]: Check<NonNu
   sweeps,
   labels,
   noData: pixel,
+  noDataBelow: pixel,
   anatomical: yes,
   prepared,
   lossy,

@@ -1,5 +1,6 @@
 // Reads the frames of the video that a manifest names, as scans in time. Loaded with the first such manifest.
 import { VolumeViewError } from '../../core/errors.ts';
+import type { GrayImage } from '../../volume/mosaic.ts';
 import { chooseScan } from '../base/choose-scan.ts';
 import { isRadar } from '../base/decoded-volume.ts';
 import type { DecodedVolume, DecodeSettings } from '../base/decoded-volume.ts';
@@ -76,6 +77,7 @@ export async function readFrameAgain(
 ): Promise<DecodedVolume> {
   const { frame, video, manifest } = scan as FrameScan;
   const image = await readFrame(video, frame, access);
+  clearBelow(image.data, manifest.noDataBelow);
   const merged = mergeSettings(settings, manifest);
   const format = `${codecName(video)} video`;
   if (isRadar(merged)) {
@@ -85,5 +87,11 @@ export async function readFrameAgain(
     return applyPrepared(describeVolume(volume, { ...manifest, slope: 1, intercept: 0 }), manifest, access.budget);
   }
   const volume = readMosaic(image, format, merged, access.budget);
-  return applyPrepared(describeVolume(volume, manifest), manifest, access.budget);
+  const { noDataBelow, noData = noDataBelow === undefined ? undefined : 0 } = manifest;
+  return applyPrepared(describeVolume(volume, manifest), { ...manifest, noData }, access.budget);
+}
+
+/** A pixel of 0 has no data, and so have those that a lossy codec made of it. */
+function clearBelow(pixels: GrayImage['data'], limit = 0): void {
+  for (let i = 0; i < pixels.length; i++) if (pixels[i] < limit) pixels[i] = 0;
 }

@@ -4,7 +4,7 @@ import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import type { Stop } from '../../optics/transfer/transfer-function.ts';
 import type { ChannelInfo } from '../../volume/channels.ts';
 import type { Histogram } from '../../volume/histogram.ts';
-import type { SeriesInfo, SourceInfo, ValueWindow, Volume } from '../../volume/volume.ts';
+import type { Lossy, SeriesInfo, SourceInfo, ValueWindow, Volume } from '../../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 
 export type { ChannelInfo } from '../../volume/channels.ts';
@@ -72,6 +72,8 @@ export interface VolumeInfo {
   readonly left?: readonly string[];
   /** The entries of `left` that change what people see: the picture shows a sign for them. */
   readonly notices?: readonly string[];
+  /** Set where its manifest says what a lossy form, such as a video, changed: in data values, and in 1/255 of a picture. */
+  readonly lossy?: Lossy;
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
 }
@@ -120,8 +122,22 @@ export function styleOf({
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { grid, unit, range, histogram, format, series, source, windows, title, anatomical, credit, reduced, radar } =
-    volume;
+  const {
+    grid,
+    unit,
+    range,
+    histogram,
+    format,
+    series,
+    source,
+    windows,
+    title,
+    anatomical,
+    credit,
+    lossy,
+    reduced,
+    radar,
+  } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
   const left = notices && [...notices, ...details];
@@ -148,6 +164,7 @@ export function describeVolume(volume: Volume): VolumeInfo {
     sweeps,
     left,
     notices,
+    lossy,
     reduced,
   };
 }

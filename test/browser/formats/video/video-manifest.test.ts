@@ -70,6 +70,13 @@ describe('a manifest with a video', () => {
     }
   });
 
+  it('has no data where pixels are below a number', async () => {
+    const { volume } = await load({ ...heart, noDataBelow: 60 }, { scan: { index: 2 } });
+    expect(numberOf(volume)).to.be.NaN; // 50
+    expect(volume.hasNoData).to.equal(true);
+    expect(numberOf((await load({ ...heart, noDataBelow: 60 }, { scan: { index: 3 } })).volume)).to.equal(3);
+  });
+
   it('finds a scan by its time', async () => {
     expect(numberOf((await load(heart, { scan: { time: '1.3 s' } })).volume)).to.equal(6);
     const scans = Array.from({ length: 12 }, (_, i) => ({ time: `2020-02-07T13:${10 + i}:00Z`, title: `Scan ${i}` }));

@@ -58,7 +58,7 @@ const good: unknown[] = [
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
-  { video: 'heart.webm', mosaic: '4x3', slices: 12 },
+  { video: 'heart.webm', mosaic: '4x3', slices: 12, noDataBelow: 12 },
   { video: 'heart.webm', lossy: { rms: 0.5, p99: 1, max: 3, picture: { rms: 0.1, p99: 0.2, max: 4 } } },
   {
     video: 'storm.webm',
@@ -95,6 +95,7 @@ const bad: [field: string, value: unknown][] = [
   ['files', { files: ['a.png', ''] }],
   ['files', { files: ['a'], scans: [{ image: 'b' }] }],
   ['scans[0].files', { scans: [{ image: 'a', files: ['b'] }] }],
+  ['noDataBelow', { video: 'a', noDataBelow: -1 }],
   ['video', { video: '' }],
   ['video', { image: 'a', video: 'b' }],
   ['video', { files: ['a'], video: 'b' }],
