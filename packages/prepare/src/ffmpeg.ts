@@ -50,11 +50,17 @@ const inputOf = ({ path, width, height }: RawVideo, rate: number): string[] => [
   ...['-f', 'rawvideo', '-pix_fmt', 'yuv420p', '-s', `${width}x${height}`, '-r', `${rate}`, '-i', path],
 ];
 
-/**
- * Writes a WebM file. Numbers are encoded as they are: nothing is converted before the encoder.
- * @param quality - the codec's crf, 1 to 63; 0 is lossless
- */
-export function encodeVideo(raw: RawVideo, out: string, codec: Codec, quality: number, rate: number): void {
+/** How a video is encoded. */
+export interface Encoding {
+  readonly codec: Codec;
+  /** The codec's crf, 1 to 63; 0 is lossless. */
+  readonly quality: number;
+  /** Frames a second. */
+  readonly rate: number;
+}
+
+/** Writes a WebM file. Numbers are encoded as they are: nothing is converted before the encoder. */
+export function encodeVideo(raw: RawVideo, out: string, { codec, quality, rate }: Encoding): void {
   const lossless = codec === 'vp9' ? ['-lossless', '1'] : ['-crf', '0', '-aom-params', 'lossless=1'];
   run([
     ...inputOf(raw, rate),

@@ -16,7 +16,7 @@ import { version } from '../package.json';
 const usage = `volume-view-prepare FILE [--as mosaic] [--moment NAME] [--out NAME]
     one quantity of a radar file (ODIM_H5, CfRadial, NEXRAD Level II or III, Rainbow 5) as NAME.png and its manifest NAME.json
 volume-view-prepare FILES --as video [--codec av1] [--error VALUE] [--moment NAME] [--out NAME]
-    scans in time, of one file or of several in the order of time, as a video NAME.webm, each frame a mosaic, and its manifest NAME.json. It needs ffmpeg. Without --error it is lossless but for its 8 bits
+    scans in time, of one file or of several in the order of time, as a video NAME.webm, each frame a mosaic, and its manifest NAME.json. It needs ffmpeg. Without --error it is lossless, but for its 8 bits
 volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
 volume-view-prepare FILE --as ome-zarr [--out NAME]

@@ -19,7 +19,7 @@ export interface VideoRequest {
   /** Files of scans in the order of time, or one file of several volumes. */
   readonly paths: readonly string[];
   readonly codec: Codec;
-  /** Root mean square that may be left, in data values; 0 is lossless but for the 8 bits. */
+  /** Root mean square that may be left, in data values; 0 is lossless except the 8 bits. */
   readonly error: number;
   readonly moment?: string;
   /** Path of the files without their endings; named after the first file if undefined. */
@@ -60,7 +60,7 @@ export async function writeVideo(request: VideoRequest): Promise<WrittenVideo> {
     const rate = rateOf(times);
     const made = await chooseQuality(target, { raw, scale, isUnused }, (quality) => {
       const video = join(work, 'video.webm');
-      encodeVideo(raw, video, codec, quality, rate);
+      encodeVideo(raw, video, { codec, quality, rate });
       const decoded = { ...raw, path: join(work, 'decoded.yuv') };
       decodeVideo(video, decoded.path);
       if (statSync(decoded.path).size !== raw.frames * bytesOfFrame(raw)) throw new Error('ffmpeg left out frames');

@@ -72,7 +72,7 @@ describe('a manifest with a video', () => {
 
   it('has no data where pixels are below a number', async () => {
     const { volume } = await load({ ...heart, noDataBelow: 60 }, { scan: { index: 2 } });
-    expect(numberOf(volume)).to.be.NaN; // 50
+    expect(Number.isNaN(numberOf(volume)), '50').to.equal(true);
     expect(volume.hasNoData).to.equal(true);
     expect(numberOf((await load({ ...heart, noDataBelow: 60 }, { scan: { index: 3 } })).volume)).to.equal(3);
   });
