@@ -30,6 +30,7 @@ const programs = [
   'codecs',
   'folder',
   'bricks',
+  'video',
 ];
 
 /** What measures nothing runs only where it is named. */

@@ -7,6 +7,7 @@ import {
   expect,
   fieldUrl,
   open,
+  seenEvents,
   setAttributes,
   settle,
   takePicture,
@@ -88,8 +89,13 @@ test.describe('surfaces', () => {
       expect(alone).not.toEqual(early);
       if (isMoved) {
         await page.keyboard.press('Tab');
-        await page.keyboard.press('ArrowLeft');
-        await waitForEvent(page, 'camera-change');
+        // On a slow machine the first press may come before the keys are listened to.
+        await expect
+          .poll(async () => {
+            await page.keyboard.press('ArrowLeft');
+            return (await seenEvents(page)).map(({ type }) => type);
+          })
+          .toContain('camera-change');
       }
       give();
       await settle(page);
