@@ -129,7 +129,7 @@ async function measure(scans: readonly VideoScan[], isLossy: boolean, make: Form
   const middle = scans.length >> 1;
   const { volume, isRadar, manifest, width, height } = scans[middle];
   const { slope, intercept, noDataBelow } = scale;
-  const data = decoded[middle].map((code) => (code < noDataBelow ? 0 : code)) as Uint8Array<ArrayBuffer>;
+  const data = decoded[middle].map((code) => (code < noDataBelow ? 0 : code));
   const own = { ...manifest, slope, intercept, ...(noDataBelow > 0 && !isRadar ? { noData: 0 } : {}) };
   const { rms } = await comparePictures(volume, { width, height, data }, own, pictureSize);
   return { bytes, error: sum.error, picture: rms };
