@@ -107,6 +107,17 @@ await check('the gallery has every demo but those for developers', () => {
   assert.equal(images.length, Object.keys(pagesOfDemos).length);
 });
 
+await check('the page of an example has the scripts of the element once, next to a script of its own too', () => {
+  const scriptsOf = (/** @type {string} */ code, isFromDisk = false) =>
+    [...frameDocument(code, { base: 'examples/', isFromDisk }).matchAll(/src="(dist\/[^"]*)"/g)].map(([, src]) => src);
+  const view = '<volume-view src="head.nii.gz"></volume-view>';
+  const withElement = `<script type="module" src="dist/volume-view.js"></script>${view}`;
+  assert.deepEqual(scriptsOf(view), ['dist/volume-view.iife.js']);
+  assert.deepEqual(scriptsOf(`${view}<script type="module">document.title</script>`), ['dist/volume-view.iife.js']);
+  assert.deepEqual(scriptsOf(withElement), ['dist/volume-view.js']);
+  assert.deepEqual(scriptsOf(withElement, true), ['dist/volume-view.iife.js']);
+});
+
 /** Pages by path. @type {Record<string, () => Uint8Array>} */
 const made = {};
 const server = await startStaticServer({ root: out, made });
@@ -130,9 +141,9 @@ const shareShown = (frame) =>
   frame.evaluate(async () => {
     /** @type {any} */
     const view = document.querySelector('volume-view, volume-slice-view');
-    await customElements.whenDefined(view.localName);
     const late = new Promise((_, reject) => setTimeout(() => reject(new Error('no picture in 60 s')), 60_000));
-    await Promise.race([view.whenRendered(), late]);
+    const shown = customElements.whenDefined(view.localName).then(() => view.whenRendered());
+    await Promise.race([shown, late]);
     if (view.localName === 'volume-slice-view') return 1;
     const bitmap = await createImageBitmap(await view.toBlob({ width: 80, height: 60 }));
     const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(80, 60).getContext('2d'));
@@ -258,6 +269,7 @@ await check('the first live example of every other page has something in its pic
     await page.goto(`${server.url}/examples/page.html`);
     const share = await shareShown(page.mainFrame()).catch((error) => String(error));
     const shown = await page.getByRole('alert').allTextContents();
+    if (process.argv.includes('--all')) console.log(`${name}: ${share}`);
     if (typeof share === 'string' || share < 0.01 || shown.length + problems.length > 0)
       wrong.push(`${name}: ${share} ${shown.join(' ')} ${problems.splice(0).join(' ')}`);
   }

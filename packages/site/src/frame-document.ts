@@ -30,7 +30,7 @@ export function frameDocument(code: string, { base, isFromDisk }: FramePlace): s
     : code;
   const start = `<base href="${base.replaceAll('"', '%22')}">`;
   if (/^\s*<!doctype/i.test(own)) return own.replace(/<head>|<!doctype[^>]*>/i, (found) => found + start);
-  const element = own.includes('<script')
+  const element = /<script[^>]+volume-view\./.test(own)
     ? ''
     : '<link rel="stylesheet" href="dist/volume-view.css"><script src="dist/volume-view.iife.js"></script>';
   const style =
