@@ -137,15 +137,22 @@ function placesOf({ scale, translation }: Axes, level: number): readonly object[
 /** Whole numbers keep a type of whole numbers. Numbers with a factor of their own become floats, as OME-Zarr has no factors. */
 function chooseNumbers({ samples, slope, intercept, range }: Volume): Written {
   if (samples instanceof Float32Array && slope === 1 && intercept === 0) return { samples, offset: 0, type: 'float32' };
-  if (samples instanceof Float32Array || slope !== 1 || !Number.isInteger(intercept))
-    return { samples: Float32Array.from(samples, (sample) => slope * sample + intercept), offset: 0, type: 'float32' };
   const [low, high] = range;
-  const fits = ([from, to]: readonly [number, number]): boolean => low >= from && high <= to;
-  const type = (['uint8', 'int8', 'uint16', 'int16'] as const).find((one) => fits(ranges[one])) ?? 'int32';
-  return { samples, offset: intercept, type };
+  const isWhole = !(samples instanceof Float32Array) && slope === 1 && Number.isInteger(intercept);
+  const type = isWhole && wholeTypes.find((one) => low >= ranges[one][0] && high <= ranges[one][1]);
+  if (type) return { samples, offset: intercept, type };
+  return { samples: Float32Array.from(samples, (sample) => slope * sample + intercept), offset: 0, type: 'float32' };
 }
 
-const ranges = { uint8: [0, 255], int8: [-128, 127], uint16: [0, 65535], int16: [-32768, 32767] } as const;
+const wholeTypes = ['uint8', 'int8', 'uint16', 'int16', 'int32'] as const;
+
+const ranges = {
+  uint8: [0, 255],
+  int8: [-128, 127],
+  uint16: [0, 65535],
+  int16: [-32768, 32767],
+  int32: [-(2 ** 31), 2 ** 31 - 1],
+} as const;
 
 const arrays = {
   uint8: Uint8Array,

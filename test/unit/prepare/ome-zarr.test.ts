@@ -53,6 +53,10 @@ describe('OME-Zarr that is written', () => {
       }),
       'float32',
     ],
+    'whole numbers beyond 32 bits': [
+      syntheticVolume({ dimensions, kind: 'uint8', slope: 255, intercept: 3e9 }),
+      'float32',
+    ],
     'numbers with a factor': [syntheticVolume({ dimensions, slope: 5, intercept: 0.25 }), 'float32'],
   };
   for (const [name, [volume, type]] of Object.entries(kinds))
