@@ -1,11 +1,10 @@
 // `npm run bench -- bricks`: bytes and seconds to a picture of a given error, where a volume comes in bricks of a pyramid, by the policy
 // that chooses the next brick. It runs in Node, without a browser, and its bytes do not depend on a clock.
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { deflateSync } from 'node:zlib';
-import { build } from 'vite';
-import { projectRoot, sharedDataFolder } from '../../scripts/shared-data.mjs';
+import { sharedDataFolder } from '../../scripts/shared-data.mjs';
+import { loadModule } from './load-module.mjs';
 import { median, printTable } from './table.mjs';
 
 const list = (/** @type {string | undefined} */ text) => text?.split(',');
@@ -16,28 +15,7 @@ const networks = [20, 100, 300].flatMap((delay) =>
 );
 
 /** @returns {Promise<typeof import('./bricks/simulate.ts')>} */
-async function loadSimulator() {
-  const folder = mkdtempSync(join(projectRoot, 'node_modules/.bench-bricks-'));
-  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
-  await build({
-    configFile: false,
-    root: projectRoot,
-    publicDir: false,
-    logLevel: 'warn',
-    ssr: { noExternal: true },
-    build: {
-      ssr: true,
-      outDir: folder,
-      minify: false,
-      target: 'node20',
-      rolldownOptions: {
-        input: { simulate: join(projectRoot, 'test/bench/bricks/simulate.ts') },
-        output: { entryFileNames: '[name].mjs' },
-      },
-    },
-  });
-  return import(pathToFileURL(join(folder, 'simulate.mjs')).href);
-}
+const loadSimulator = () => loadModule('test/bench/bricks/simulate.ts');
 
 export async function run() {
   printResults(await simulatePictures(list(process.env.SCENES) ?? ['head', 'cranium', 'storm', 'specks', 'shells']));
