@@ -1,15 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
+import { anchorOf } from '../packages/site/build/anchor-of.mjs';
 import { projectRoot } from './shared-data.mjs';
-
-/** The anchor that a heading gets. @param {string} heading */
-function anchorOf(heading) {
-  return heading
-    .toLowerCase()
-    .replaceAll(/[^\p{L}\p{N}\s_-]/gu, '')
-    .trim()
-    .replaceAll(/\s/g, '-');
-}
 
 /** A page without its blocks of code. @param {string} file */
 function readProse(file) {

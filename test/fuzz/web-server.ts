@@ -1,4 +1,5 @@
 // A DICOMweb server of a fuzz case.
+import { joinPieces } from '../../src/formats/base/join-pieces.ts';
 import type { FuzzFile, WebCase } from './fuzz-case.ts';
 
 export const webSeries = 'https://example.test/studies/1.2/series/1.3';
@@ -67,11 +68,5 @@ function joinParts(
     ...parts.flatMap((bytes) => [write(`--${boundary}${lineEnd}${lines}${lineEnd}${lineEnd}`), bytes, write(lineEnd)]),
     write(`--${boundary}--`),
   ];
-  const all = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    all.set(piece, at);
-    at += piece.length;
-  }
-  return all;
+  return joinPieces(pieces);
 }

@@ -57,3 +57,24 @@ export function timedFields(size: TimedSize, fields: DicomFields = {}): DicomFie
 /** What a time shows: its numbers, slice by slice. */
 export const valuesAt = (time: number, { slices, edge }: TimedSize): number[] =>
   Array.from({ length: slices }, (_, k) => [...numbersAt(time, k, edge)]).flat();
+
+/** The elements of one time in a mosaic of 2 x 2 tiles, as Siemens writes heads. @param edge - of the mosaic, in pixels @param count - of tiles with a slice */
+export function mosaicFields(
+  time: number,
+  { edge, count }: { readonly edge: number; readonly count: number },
+): DicomFields {
+  const numbers = Int16Array.from({ length: edge * edge }, (_, i) => 1000 * time + i);
+  return {
+    ...timedFields({ times: 1, slices: 1, edge }),
+    NumberOfFrames: undefined,
+    PerFrameFunctionalGroupsSequence: undefined,
+    SharedFunctionalGroupsSequence: undefined,
+    ImageType: 'ORIGINAL\\PRIMARY\\M\\MOSAIC',
+    SOPInstanceUID: `1.2.6.${time}`,
+    ImagePositionPatient: [0, 0, 0],
+    SpacingBetweenSlices: [3],
+    NumberOfImagesInMosaic: [count],
+    AcquisitionTime: `10000${2 * time}`,
+    PixelData: new Uint8Array(numbers.buffer),
+  };
+}

@@ -12,7 +12,6 @@ import { buildSite } from '../../packages/site/build/build.mjs';
 import { exampleOf } from '../../packages/site/build/examples.mjs';
 import { pagesOfDemos, writeGallery } from '../../packages/site/build/gallery.mjs';
 import { renderPage } from '../../packages/site/build/markdown.mjs';
-import { buildStudio } from '../../scripts/build-studio.mjs';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
@@ -25,7 +24,6 @@ const {
 
 const out = mkdtempSync(join(tmpdir(), 'volume-view-site-'));
 process.on('exit', () => rmSync(out, { recursive: true, force: true }));
-if (!existsSync(join(projectRoot, 'packages/studio/dist/index.html'))) await buildStudio();
 const built = await buildSite({ root: projectRoot, folder: join(projectRoot, 'packages/site'), out });
 
 /** @param {any} node @returns {Generator<{ name: string, attributes: Record<string, string> }>} */

@@ -1,19 +1,9 @@
 // Pages in Markdown as HTML: headings with the anchors of GitHub, links to pages, and live examples.
 import MarkdownIt from 'markdown-it';
+import { anchorOf } from './anchor-of.mjs';
 import { exampleOf } from './examples.mjs';
 
-/** The anchor that a heading gets, as GitHub makes it. @param {string} heading - without marks of Markdown */
-export function anchorOf(heading) {
-  return heading
-    .toLowerCase()
-    .replaceAll(/[^\p{L}\p{N}\s_-]/gu, '')
-    .trim()
-    .replaceAll(/\s/g, '-');
-}
-
-/** @param {string} text */
-export const escapeHtml = (text) =>
-  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+export const { escapeHtml } = new MarkdownIt().utils;
 
 /** @param {import('./examples.mjs').Example} example @param {string} label @returns {string} */
 function writeExample({ code, files, reason }, label) {

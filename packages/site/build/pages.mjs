@@ -51,6 +51,12 @@ export function linksOf(root, from, pages, addFile) {
  * @property {{ page: string, title: string }[]} pages - paths from the root of the project
  */
 
+/** The title of a page, without what it explains after a colon. @param {string} root @param {string} page */
+function titleOf(root, page) {
+  const [, heading] = /^# (.+)$/m.exec(readFileSync(join(root, page), 'utf8')) ?? [];
+  return (heading ?? page).split(':')[0].replaceAll('`', '');
+}
+
 /** What the index of docs lists, heading by heading. @param {string} root @returns {Shelf[]} */
 export function listShelves(root) {
   /** @type {Shelf[]} */
@@ -60,11 +66,11 @@ export function listShelves(root) {
     const heading = /^##+ (.+)$/.exec(line);
     if (heading) shelves.push({ title: heading[1], pages: [] });
     if (!line.startsWith('|') && !line.startsWith('Begin with')) continue;
-    for (const [, title, target] of line.matchAll(/\[([^\]]+)\]\(([^)#]+\.md)(?:#[^)]*)?\)/g)) {
+    for (const [, target] of line.matchAll(/\[[^\]]+\]\(([^)#]+\.md)(?:#[^)]*)?\)/g)) {
       const page = posix.join('docs', target);
       if (seen.has(page) || target.startsWith('..')) continue;
       seen.add(page);
-      shelves.at(-1)?.pages.push({ page, title: title.replaceAll('`', '') });
+      shelves.at(-1)?.pages.push({ page, title: titleOf(root, page) });
     }
   }
   return shelves.filter(({ pages }) => pages.length > 0);

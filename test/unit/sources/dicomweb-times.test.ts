@@ -4,7 +4,7 @@ import type { CoarseVolume } from '../../../src/formats/base/load-request.ts';
 import { expectError, valuesOf } from '../../helpers/decode.ts';
 import { ctSlice, dicomBytes, packRle } from '../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../helpers/dicom-bytes.ts';
-import { timedFields, timedFrames, valuesAt } from '../../helpers/dicom-frames.ts';
+import { mosaicFields, timedFields, timedFrames, valuesAt } from '../../helpers/dicom-frames.ts';
 import { withWeb } from '../../helpers/dicomweb-server.ts';
 import type { WebInstance } from '../../helpers/dicomweb-server.ts';
 import { expectTime, openTimes, timesOfFiles } from '../../helpers/dicomweb-times.ts';
@@ -115,21 +115,7 @@ describe('a series of several times on a DICOMweb server', () => {
   });
 
   it('may have a picture of each time in one frame, as mosaics of a head are', async () => {
-    const mosaics = [0, 1, 2].map((time): WebInstance => ({
-      fields: {
-        ...timedFields({ times: 1, slices: 1, edge: 16 }),
-        NumberOfFrames: undefined,
-        PerFrameFunctionalGroupsSequence: undefined,
-        SharedFunctionalGroupsSequence: undefined,
-        ImageType: 'ORIGINAL\\PRIMARY\\M\\MOSAIC',
-        SOPInstanceUID: `1.2.6.${time}`,
-        ImagePositionPatient: [0, 0, 0],
-        SpacingBetweenSlices: [3],
-        NumberOfImagesInMosaic: [4],
-        AcquisitionTime: `10000${2 * time}`,
-        PixelData: new Uint8Array(Int16Array.from({ length: 256 }, (_, i) => 1000 * time + i).buffer),
-      },
-    }));
+    const mosaics = [0, 1, 2].map((time): WebInstance => ({ fields: mosaicFields(time, { edge: 16, count: 4 }) }));
     await withWeb(mosaics, {}, async ({ url, asked }) => {
       const expected = await timesOfFiles(mosaics.map(({ fields }) => dicomBytes(fields)));
       const { volume, times, show } = await openTimes(url, 1);

@@ -7,7 +7,7 @@ import { decodeRequest } from '../../../../src/worker/decode-request.ts';
 import { roomyLimits, urlOf, valuesOf } from '../../../helpers/decode.ts';
 import { ctSlice, dicomBytes, packRle } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
-import { timedFields, timedFrames, valuesAt } from '../../../helpers/dicom-frames.ts';
+import { mosaicFields, timedFields, timedFrames, valuesAt } from '../../../helpers/dicom-frames.ts';
 import { openScans } from '../../../helpers/scans-of.ts';
 import type { OpenScans } from '../../../helpers/scans-of.ts';
 
@@ -136,23 +136,9 @@ describe('a folder of mosaics of several times', () => {
   it('reads the picture of the time that is shown', async () => {
     const pad = 'x'.repeat(20_000);
     const edge = 2 * 8;
-    const files = Array.from({ length: 3 }, (_, time) => {
-      const numbers = Int16Array.from({ length: edge * edge }, (_, i) => 1000 * time + i);
-      return dicomBytes({
-        ...timedFields({ times: 1, slices: 1, edge }),
-        NumberOfFrames: undefined,
-        PerFrameFunctionalGroupsSequence: undefined,
-        SharedFunctionalGroupsSequence: undefined,
-        ImageType: 'ORIGINAL\\PRIMARY\\M\\MOSAIC',
-        SOPInstanceUID: `1.2.${time}`,
-        ImagePositionPatient: [0, 0, 0],
-        SpacingBetweenSlices: '3',
-        NumberOfImagesInMosaic: [3],
-        AcquisitionTime: `10000${2 * time}`,
-        PatientComments: pad,
-        PixelData: new Uint8Array(numbers.buffer),
-      });
-    });
+    const files = [0, 1, 2].map((time) =>
+      dicomBytes({ ...mosaicFields(time, { edge, count: 3 }), PatientComments: pad }),
+    );
     const urls = files.map((_, i) => urlOf(`${i}.dcm`));
     const { first, times, read } = await openScans(files[0].slice(), '0.dcm', {
       scan: { index: 1 },
