@@ -4,6 +4,7 @@ import type { registerTranslation } from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
 import {
   expect,
+  fewPixels,
   fieldUrl,
   keptTest as test,
   networkLines,
@@ -16,6 +17,8 @@ import {
 } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { expectShown, listed, look, serve } from './helpers/scans.ts';
+
+test.use(fewPixels);
 
 const large = { head: '<style>volume-view { width: 320px; height: 240px }</style>' };
 const view = (more = ''): string =>

@@ -3,11 +3,11 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
-import { expect, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
+import { expect, fewPixels, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
 
-test.use({ viewport: { width: 1300, height: 1000 }, hasTouch: true });
+test.use({ ...fewPixels, viewport: { width: 1300, height: 1000 }, hasTouch: true });
 
 /** How a page shows what is in two elements, one in the other, and the same as one matrix: where it shows a place of the inner one. Both have their origin at their corner. */
 interface Showing {

@@ -5,8 +5,18 @@ import type { Locator, Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { attributesOf } from './helpers/reference.ts';
-import { expect, fieldUrl, open as openPage, settle, keptTest as test, test as freshTest } from './helpers/harness.ts';
+import {
+  expect,
+  fewPixels,
+  fieldUrl,
+  open as openPage,
+  settle,
+  keptTest as test,
+  test as freshTest,
+} from './helpers/harness.ts';
 import { line, touch } from './helpers/touch.ts';
+
+test.use(fewPixels);
 
 const size = 'style="width: 320px; height: 240px"';
 const view = `<volume-view id="seen" src="${fieldUrl}" ${attributesOf({ 'transfer-function': '0.15 #003 0, 0.4 #c63 0.3, 0.8 #ffc 0.8' })} ${size} alt="A field"></volume-view>`;

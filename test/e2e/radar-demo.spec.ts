@@ -5,10 +5,10 @@ import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { openDemo } from './helpers/demo.ts';
-import { compare, expect, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { compare, expect, fewPixels, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
-test.use({ viewport: { width: 420, height: 900 } });
+test.use({ ...fewPixels, viewport: { width: 420, height: 900 } });
 
 /** With small pictures of few steps: what they show is told elsewhere. */
 async function openRadar(page: Page): Promise<void> {

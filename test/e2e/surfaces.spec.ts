@@ -5,6 +5,7 @@ import { hgtBytes } from '../helpers/terrain.ts';
 import {
   compare,
   expect,
+  fewPixels,
   fieldUrl,
   open,
   seenEvents,
@@ -18,6 +19,8 @@ import {
 import type { CameraState } from '../../src/viewer/view/write-camera.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
+
+test.use(fewPixels);
 
 const folder = '/test/e2e/pages/data/surfaces';
 const files: Record<string, Buffer> = {

@@ -68,8 +68,8 @@ export const keptTest = test.extend<object, { kept: KeptPages }>({
     },
     { scope: 'worker' },
   ],
-  page: async ({ kept, lines, viewport, hasTouch, colorScheme }, use, { file }) => {
-    const kind = { viewport, hasTouch, colorScheme };
+  page: async ({ kept, lines, viewport, deviceScaleFactor, hasTouch, colorScheme }, use, { file }) => {
+    const kind = { viewport, deviceScaleFactor, hasTouch, colorScheme };
     const page = await kept.take(kind, file);
     keepLines(page, lines);
     await use(page);

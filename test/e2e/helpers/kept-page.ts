@@ -1,7 +1,8 @@
 import type { Browser, BrowserContextOptions, Page } from '@playwright/test';
 
 /** What tests choose with `test.use`, or leave as the configuration has it. */
-export type PageKind = Required<Pick<BrowserContextOptions, 'viewport' | 'hasTouch' | 'colorScheme'>>;
+export type PageKind = Required<Pick<BrowserContextOptions, 'viewport' | 'hasTouch' | 'colorScheme'>> &
+  Pick<BrowserContextOptions, 'deviceScaleFactor'>;
 
 /** What tests listen to. */
 const listened = [
