@@ -60,6 +60,12 @@ const parts = [
     after: 'Build: dist stays whole meanwhile',
   },
   {
+    title: "A radar's folder",
+    args: ['test/package/prepare-watch.mjs'],
+    counts: true,
+    after: 'Build: dist stays whole meanwhile',
+  },
+  {
     title: 'Lessons as pages and courses',
     args: ['test/package/lesson-writers.mjs'],
     counts: true,

@@ -3,10 +3,11 @@ import { statSync } from 'node:fs';
 import { basename, dirname, join, relative } from 'node:path';
 import { groupFiles, lookAtFile } from '../../../src/prepare/find-sources.ts';
 import type { FoundFile, Source } from '../../../src/prepare/find-sources.ts';
-import { pathOf, urlInStore } from '../../../src/sources/byte-store.ts';
+import { urlInStore } from '../../../src/sources/byte-store.ts';
 import { folderBase, FolderStore } from './folder-store.ts';
+import type { FolderStoreOptions } from './folder-store.ts';
 import type { FailedLine, Place } from './job.ts';
-import { openPlace } from './open-place.ts';
+import { archiveBase, openPlace } from './open-place.ts';
 import type { PrivateState } from './private-state.ts';
 
 /** A source of a folder, and where it is. */
@@ -50,16 +51,17 @@ export function stampAll(paths: readonly string[]): string {
 
 /**
  * Finds all sources of a folder, in archives too. What is known of a file that has not changed is not looked up again.
- * @param folder - absolute @param without - absolute paths that are left out
+ * @param folder - absolute
+ * @param options - as of `FolderStore`: `only` these paths in it, or all but those in the folders `without`
  * @param onFile - how many files were looked at, and of how many
  */
 export async function findJobs(
   folder: string,
-  without: readonly string[],
+  options: FolderStoreOptions,
   state: PrivateState,
   onFile: (done: number, all: number) => void,
 ): Promise<Found> {
-  const store = new FolderStore(folder, { without });
+  const store = new FolderStore(folder, options);
   const urls = await store.list();
   const found: FoundFile[] = [];
   const sources: FolderSource[] = [];
@@ -87,7 +89,7 @@ export async function findJobs(
     inArchives.push(...inside);
     const place = { folder: dirname(path), archive: basename(path) };
     for (const source of groupFiles(inside))
-      sources.push({ place, source, key: `${relative(folder, path)}/${pathOf(source.first)}` });
+      sources.push({ place, source, key: `${relative(folder, path)}/${pathIn(archiveBase, source.first)}` });
   }
   sources.unshift(...groupFiles(found).map((source) => placeSource(folder, source)));
   const all = [...found, ...inArchives];
@@ -110,17 +112,19 @@ async function lookInArchive(path: string): Promise<FoundFile[]> {
 
 /** A series has its files alone; a header, or a manifest, has all files of its folder next to it. */
 function placeSource(folder: string, source: Source): FolderSource {
-  const key = pathOf(source.first);
-  if (source.files) return { place: { folder, only: source.files.map(pathInFolder) }, source, key };
-  const path = pathInFolder(source.first);
+  const path = pathIn(folderBase, source.first);
+  if (source.files) {
+    const only = source.files.map((url) => pathIn(folderBase, url));
+    return { place: { folder, only }, source, key: path };
+  }
   return {
     place: { folder: dirname(join(folder, path)) },
     source: { ...source, first: urlInStore(folderBase, basename(path)) },
-    key,
+    key: path,
   };
 }
 
-const pathInFolder = (url: string): string => decodeURIComponent(url.slice(folderBase.length));
+const pathIn = (base: string, url: string): string => decodeURIComponent(url.slice(base.length));
 
 function describe(cause: unknown): Pick<FailedLine, 'code' | 'message'> {
   const { code, message } = cause as { code?: string; message: string };

@@ -7,17 +7,21 @@ import type { ByteStore, FileStat, ReadOptions } from '../../../src/sources/byte
 /** URLs of files of a folder begin with this: no server can have this name (RFC 2606). */
 export const folderBase = 'https://folder.invalid/';
 
+export interface FolderStoreOptions {
+  /** The paths of the files in it; all if undefined. */
+  readonly only?: readonly string[];
+  /** Absolute paths of folders that are left out. */
+  readonly without?: readonly string[];
+}
+
 /** The files of a folder of this machine. Links are not followed: they may lead in a circle, or out of the folder. */
 export class FolderStore implements ByteStore {
   #list: readonly string[] | null = null;
 
-  /**
-   * @param folder - absolute
-   * @param options - `only`: the paths of the files in it; all if undefined. `without`: absolute paths of folders that are left out
-   */
+  /** @param folder - absolute */
   constructor(
     readonly folder: string,
-    private readonly options: { readonly only?: readonly string[]; readonly without?: readonly string[] } = {},
+    private readonly options: FolderStoreOptions = {},
   ) {}
 
   async list(): Promise<readonly string[]> {

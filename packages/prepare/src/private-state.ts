@@ -19,7 +19,11 @@ export interface KnownSource extends JobResult {
   readonly stamp: string;
   /** The version of the program and its options. */
   readonly made: string;
+  /** Of a folder that is watched: its scans are no longer in the site. */
+  readonly removed?: true;
 }
+
+const watchFile = 'watch.json';
 
 /**
  * What the program remembers from run to run, in a folder next to the site: it has the names of files, and must not be on a server. Each
@@ -39,7 +43,10 @@ export class PrivateState {
     const saltFile = join(folder, 'salt');
     if (!existsSync(saltFile)) writeFileSync(saltFile, randomBytes(32).toString('hex'), { mode: 0o600 });
     this.salt = readFileSync(saltFile, 'utf8');
-    if (existsSync(this.#journal)) for (const line of readFileSync(this.#journal, 'utf8').split('\n')) this.#take(line);
+    const lines = existsSync(this.#journal) ? readFileSync(this.#journal, 'utf8').split('\n') : [''];
+    for (const line of lines) this.#take(line);
+    // A run that was ended may have left a part of a line: the next one must not join it.
+    if (lines.at(-1)) appendFileSync(this.#journal, '\n');
   }
 
   keepFile(path: string, known: KnownFile): void {
@@ -52,14 +59,30 @@ export class PrivateState {
     this.#append({ source: key, known });
   }
 
-  /** Writes again what still exists, and lets the next run begin. @param files - paths @param sources - keys */
-  async close(files: ReadonlySet<string>, sources: ReadonlySet<string>): Promise<void> {
+  /** Forgets what no longer exists. @param files - paths @param sources - keys */
+  async compact(files: ReadonlySet<string>, sources: ReadonlySet<string>): Promise<void> {
+    for (const file of this.files.keys()) if (!files.has(file)) this.files.delete(file);
+    for (const source of this.sources.keys()) if (!sources.has(source)) this.sources.delete(source);
     const lines = [
-      ...[...this.files].filter(([file]) => files.has(file)).map(([file, known]) => ({ file, known })),
-      ...[...this.sources].filter(([source]) => sources.has(source)).map(([source, known]) => ({ source, known })),
+      ...[...this.files].map(([file, known]) => ({ file, known })),
+      ...[...this.sources].map(([source, known]) => ({ source, known })),
     ];
     await writeWhole(this.folder, 'journal.jsonl', lines.map((line) => `${JSON.stringify(line)}\n`).join(''));
+  }
+
+  /** Lets the next run begin. */
+  unlock(): void {
     rmSync(join(this.folder, 'lock'), { force: true });
+  }
+
+  /** The pages of newest scans, where the site is that of a run with `--watch`: what the scans of each have in common; else null. */
+  get watched(): readonly string[] | null {
+    const path = join(this.folder, watchFile);
+    return existsSync(path) ? (JSON.parse(readFileSync(path, 'utf8')) as string[]) : null;
+  }
+
+  async keepWatched(pages: readonly string[]): Promise<void> {
+    await writeWhole(this.folder, watchFile, JSON.stringify(pages));
   }
 
   #append(line: object): void {

@@ -47,9 +47,23 @@ export async function runJob({ place, source, site, salt, options }: Job): Promi
         for (const { line, place } of scans) lines[place] = { ...line, scans: page };
       }
   } catch (error) {
-    lines.push({ status: 'failed', ...describeFailure(error) });
+    lines.push({ status: 'failed', ...(describeWriting(error) ?? describeFailure(error)) });
   }
   return { lines, read: [...(watched?.wasRead ?? [])], content };
+}
+
+/** The code of a failure that is not the fault of the file. */
+export const notWritable = 'site/not-writable';
+
+/** Words for a site that can't be written; null for all other errors. Errors of reading have codes of their own. */
+function describeWriting(error: unknown): { readonly code: string; readonly message: string } | null {
+  const { code } = error as NodeJS.ErrnoException;
+  const why = { ENOSPC: 'no space is left', EDQUOT: 'no more space is allowed', EROFS: 'it can only be read' };
+  const known =
+    why[code as keyof typeof why] ?? (code === 'EACCES' || code === 'EPERM' ? 'it may not be written by you' : '');
+  return known
+    ? { code: notWritable, message: `the site got no file: ${known}; make it possible, and run the command again` }
+    : null;
 }
 
 async function writeVolume(

@@ -54,6 +54,48 @@ export function writeSeriesPage(lines: readonly Omit<DoneLine, 'page'>[], src: s
 `;
 }
 
+/**
+ * The page of the newest scans of a radar, `scans.json` next to it. It looks for a new list from time to time: a reader who has the newest
+ * scan before him gets the next one, another stays where he is.
+ */
+export function writeRollingPage(
+  title: string,
+  newest: Omit<DoneLine, 'page'>,
+  { seconds, hasPoster }: { readonly seconds: number; readonly hasPoster: boolean },
+): string {
+  const poster = hasPoster ? ' poster="poster.png"' : '';
+  return `${head(title, 'volume-view { width: 100%; height: min(70vh, 44rem) }')}<h1>${escapeMarkup(title)}</h1>
+<volume-view id="view" controls alt="${escapeMarkup(altOf(newest))}" src="scans.json" time="${endOfTime}"${poster}></volume-view>
+<volume-timeline for="view"></volume-timeline>
+<p><a href="../index.html">All scans</a></p>
+<script src="../${scriptName}"></script>
+<script>
+  const view = document.getElementById('view');
+  let known = null;
+  let count = 0;
+  async function look() {
+    const answer = await fetch('scans.json', { cache: 'no-cache' });
+    if (!answer.ok) return;
+    const text = await answer.text();
+    if (known !== null && text !== known) {
+      const { scan, paused } = view;
+      const isNewest = !scan || scan.index === scan.count - 1;
+      view.time = isNewest || !paused ? '${endOfTime}' : scan.time;
+      view.src = 'scans.json?' + ++count;
+      if (!paused) view.play().catch(() => {});
+    }
+    known = text;
+  }
+  look().catch(() => {});
+  setInterval(() => look().catch(() => {}), ${1000 * seconds});
+</script>
+</html>
+`;
+}
+
+/** A page with this time shows the newest scan. */
+const endOfTime = '9999-12-31T00:00:00Z';
+
 /** The page of all volumes: a series of scans has one place in it. */
 export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boolean })[]): string {
   const series = new Map<string, (DoneLine & { readonly hasPoster: boolean })[]>();

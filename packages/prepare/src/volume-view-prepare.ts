@@ -6,6 +6,7 @@ import { availableParallelism, totalmem } from 'node:os';
 import { basename } from 'node:path';
 import { inspect, parseArgs } from 'node:util';
 import { makeRadarMosaic } from '../../../src/prepare/radar-mosaic.ts';
+import type { FolderRequest, Output } from './folder-request.ts';
 import { formatManifest } from './format-manifest.ts';
 import { nameFiles } from './name-files.ts';
 import { Misuse } from './misuse.ts';
@@ -24,13 +25,18 @@ volume-view-prepare FILE --as ome-zarr [--out NAME]
 volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
     a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
-    a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout`;
+    a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout
+volume-view-prepare FOLDER --out SITE --watch [--newest N] [--every SECONDS] [--settle SECONDS] [options of a folder]
+    the same for a folder into which a radar writes, until you end it: SITE/newest/index.html shows the newest N scans with a timeline, and old ones are removed from SITE`;
 
 /** Bytes that a volume may take while it is read: most of the memory, shared by all processes. */
 const shareOfMemory = 0.7;
 
 /** The largest picture of a volume, pixels across: it takes minutes. */
 const maxPoster = 1024;
+
+/** Scans of a page of newest scans: more of them are no timeline that a person reads. */
+const maxNewest = 1000;
 
 async function writeMosaic(path: string, moment: string | undefined, out: string | undefined): Promise<void> {
   const { png, manifest, rounding, partial } = await makeRadarMosaic(
@@ -106,6 +112,10 @@ interface SiteValues {
   readonly jobs?: string;
   readonly timeout: string;
   readonly 'keep-names': boolean;
+  readonly watch: boolean;
+  readonly newest: string;
+  readonly every: string;
+  readonly settle: string;
 }
 
 async function writeSite(folder: string, values: SiteValues): Promise<void> {
@@ -115,30 +125,49 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   if (fit !== 'desktop' && fit !== 'phone') throw new Misuse(`got --fit ${fit}; expected phone, or nothing`);
   const poster = readCount('poster', values.poster, [0, maxPoster]);
   const jobs = values.jobs === undefined ? undefined : readCount('jobs', values.jobs);
+  if (values.watch && as !== 'mosaic') throw new Misuse(`got --as ${as} with --watch; expected mosaic, or nothing`);
+  const request = {
+    folder,
+    site: out,
+    options: {
+      as,
+      fit,
+      poster,
+      ...(moment === undefined ? {} : { moment }),
+      keepNames: values['keep-names'],
+      deviceBytes: (shareOfMemory * totalmem()) / (jobs ?? availableParallelism()),
+    },
+    jobs,
+    timeout: readCount('timeout', values.timeout),
+    child: new URL('./child.js', import.meta.url),
+    version,
+  } satisfies FolderRequest;
+  const output: Output = {
+    line: (object) => console.log(JSON.stringify(object)),
+    say: (text) => console.error(text),
+    progress: (text) => void (process.stderr.isTTY && process.stderr.write(`\r${text}\x1b[K`)),
+  };
+  if (values.watch) return watchSite(request, values, output);
   const { prepareFolder } = await import('./prepare-folder.ts');
-  process.exitCode = await prepareFolder(
+  process.exitCode = await prepareFolder(request, output);
+}
+
+async function watchSite(request: FolderRequest, values: SiteValues, output: Output): Promise<void> {
+  const { watchFolder } = await import('./watch-folder.ts');
+  const stop = await watchFolder(
+    request,
     {
-      folder,
-      site: out,
-      options: {
-        as,
-        fit,
-        poster,
-        ...(moment === undefined ? {} : { moment }),
-        keepNames: values['keep-names'],
-        deviceBytes: (shareOfMemory * totalmem()) / (jobs ?? availableParallelism()),
-      },
-      jobs,
-      timeout: readCount('timeout', values.timeout),
-      child: new URL('./child.js', import.meta.url),
-      version,
+      newest: readCount('newest', values.newest, [1, maxNewest]),
+      every: readSeconds('every', values.every),
+      settle: readSeconds('settle', values.settle),
     },
-    {
-      line: (object) => console.log(JSON.stringify(object)),
-      say: (text) => console.error(text),
-      progress: (text) => void (process.stderr.isTTY && process.stderr.write(`\r${text}\x1b[K`)),
-    },
+    output,
   );
+  const end = (): void => {
+    stop();
+    process.exit(0);
+  };
+  process.once('SIGINT', end).once('SIGTERM', end);
 }
 
 interface LessonValues extends LessonWords {
@@ -182,6 +211,14 @@ function readCount(name: string, text: string, [low, high] = [1, Number.MAX_SAFE
   return count;
 }
 
+function readSeconds(name: string, text: string): number {
+  const seconds = Number(text);
+  // A day; a timer takes 24 of them at most.
+  if (!(seconds >= 0.1 && seconds <= 86_400))
+    throw new Misuse(`got --${name} ${text}; expected a number of seconds from 0.1 to 86400`);
+  return seconds;
+}
+
 async function main(): Promise<void> {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
@@ -194,6 +231,10 @@ async function main(): Promise<void> {
       poster: { type: 'string', default: '256' },
       jobs: { type: 'string' },
       timeout: { type: 'string', default: '1800' },
+      watch: { type: 'boolean', default: false },
+      newest: { type: 'string', default: '12' },
+      every: { type: 'string', default: '10' },
+      settle: { type: 'string', default: '10' },
       title: { type: 'string' },
       language: { type: 'string' },
       licence: { type: 'string' },

@@ -3,7 +3,7 @@ import { chmod, cp, mkdir, mkdtemp, open, readdir, rename, rm } from 'node:fs/pr
 import { dirname, join } from 'node:path';
 
 /** Folders and files that are being written, or are about to be removed, begin with this. */
-const unfinished = '.unfinished-';
+export const unfinished = '.unfinished-';
 
 /** What of an earlier run was not finished is removed. Call it while no other run writes there. */
 export async function removeUnfinished(site: string): Promise<void> {
