@@ -8,7 +8,7 @@ import type { FetchOptions } from './download.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import { splitParts } from './multipart.ts';
 import type { Part } from './multipart.ts';
-import { Queue } from './queue.ts';
+import { Queue } from '../formats/base/queue.ts';
 
 /** Requests at once, of all instances together. */
 export const ahead = 6;

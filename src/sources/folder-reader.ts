@@ -1,5 +1,5 @@
 import type { DecodedCartesianVolume, DecodeInput } from '../formats/base/decoded-volume.ts';
-import type { FolderAccess, FrameAccess } from '../formats/base/format.ts';
+import type { FolderAccess, FrameAccess, PartAccess } from '../formats/base/format.ts';
 import type { ByteStore } from './byte-store.ts';
 import { GroupReader } from './group-reader.ts';
 import { showPart } from './show-part.ts';
@@ -15,12 +15,15 @@ interface FolderOptions {
   readonly frames?: Pick<FrameAccess, 'addressOf'> & {
     read(url: string, frames: readonly number[], onBytes: (bytes: number) => void): Promise<DecodeInput>;
   };
+  /** Whether servers send parts of files. */
+  readonly parts?: Pick<PartAccess, 'sizeOf'>;
   readonly signal?: AbortSignal;
 }
 
 /** Reads the files of a series in parts, and reports how much of all is read. */
 export class FolderReader implements FolderAccess {
   readonly frames?: FrameAccess;
+  readonly parts?: PartAccess;
   /** Bytes that were read of each file. */
   readonly #read = new Map<string, number>();
   /** The files that are read; null for all. */
@@ -41,7 +44,18 @@ export class FolderReader implements FolderAccess {
     private readonly sizes: Map<string, number | null>,
     private readonly options: FolderOptions,
   ) {
-    const { signal, whole = [], frames } = options;
+    const { signal, whole = [], frames, parts } = options;
+    if (parts)
+      this.parts = {
+        // A file that came as a whole is not read again.
+        sizeOf: (url) => (this.#kept.has(url) ? null : parts.sizeOf(url)),
+        read: async (url, range) => {
+          const input = await read(url, { range, signal });
+          this.#count(url, (this.#read.get(url) ?? 0) + input.bytes.length);
+          this.options.load.budget?.addFile(input.bytes.length);
+          return input;
+        },
+      };
     if (frames)
       this.frames = {
         addressOf: (url, some) => frames.addressOf(url, some),
@@ -107,8 +121,9 @@ export class FolderReader implements FolderAccess {
     return this.#whole.plan(urls, (url) => this.sizes.get(url) ?? 0);
   }
 
-  expect(urls: readonly string[]): void {
+  expect(urls: readonly string[], bytes: ReadonlyMap<string, number> = new Map()): void {
     const expected = (this.#expected = new Set(urls));
+    for (const [url, some] of bytes) this.sizes.set(url, some);
     this.#unknown = new Set(urls.filter((url) => this.#sizeOf(url) === null));
     this.#total = 0;
     for (const url of expected) this.#total += this.#sizeOf(url) ?? 0;

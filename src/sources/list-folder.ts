@@ -7,6 +7,7 @@ import { Download } from './download.ts';
 import type { FetchOptions } from './download.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import { FolderReader } from './folder-reader.ts';
+import { HttpStore } from './http-store.ts';
 import type { FolderLoad } from './show-part.ts';
 
 type OptionsOf = (url: string) => Omit<FetchOptions, 'onProgress'>;
@@ -19,7 +20,12 @@ export async function openListFolder(
 ): Promise<FolderAccess> {
   const store = new ListStore(files, optionsOf);
   const { signal } = optionsOf(first.url);
-  return FolderReader.of(store, files, store.read.bind(store), { load, whole: [first], signal });
+  return FolderReader.of(store, files, store.read.bind(store), {
+    load,
+    whole: [first],
+    parts: { sizeOf: (url) => store.sizeOfParts(url) },
+    signal,
+  });
 }
 
 /** Bytes of a file behind its start, where its server hides how long it is: as many as a file may have. */
@@ -48,6 +54,11 @@ class ListStore implements ByteStore {
     return { size: this.#sizes.get(url) ?? null };
   }
 
+  /** Bytes of a file of which parts can be read; null for others. */
+  sizeOfParts(url: string): number | null {
+    return this.#whole.has(url) ? null : (this.#sizes.get(url) ?? null);
+  }
+
   sourceOf(url: string): string {
     return url;
   }
@@ -59,11 +70,12 @@ class ListStore implements ByteStore {
       this.#whole.delete(url);
       return kept ?? fetchBytes(url, options);
     }
+    if (range.start > 0 && !kept) return new HttpStore(options).read(url, { ...options, range });
     const part =
       kept || !this.#sendsParts || !url.startsWith('http') ? null : await this.#readPart(url, range, options);
     if (part) return part;
     const whole = this.#whole.get(url) ?? this.#keep(url, await fetchBytes(url, options));
-    const start = whole.bytes.subarray(0, range.end);
+    const start = whole.bytes.subarray(range.start, range.end);
     return { ...whole, bytes: start, missing: whole.bytes.length - start.length };
   }
 

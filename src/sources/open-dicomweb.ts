@@ -12,7 +12,7 @@ import { ahead, asFile, fetchFrom, joinPixels, littleEndian, readBulk, readPixel
 import type { PartReading, QueuedReading, Reading } from './dicomweb-parts.ts';
 import { FolderReader } from './folder-reader.ts';
 import type { OpenedFiles } from './opened-files.ts';
-import { Queue } from './queue.ts';
+import { Queue } from '../formats/base/queue.ts';
 import type { FolderLoad } from './show-part.ts';
 
 export { fetchPixels } from './dicomweb-parts.ts';

@@ -23,8 +23,14 @@ export interface Asked {
   readonly isPart: boolean;
 }
 
+/** A request with the bytes that came. */
+export interface Sent extends Asked {
+  readonly bytes: number;
+}
+
 export interface Served {
   readonly asked: Asked[];
+  readonly sent: Sent[];
   readonly most: () => number;
 }
 
@@ -36,33 +42,39 @@ export async function withFiles<T>(
 ): Promise<T> {
   const native = globalThis.fetch;
   const asked: Asked[] = [];
+  const sent: Sent[] = [];
   let [running, most] = [0, 0];
   globalThis.fetch = async (url, { headers, signal } = {}) => {
     const address = url as string;
     const range = new Headers(headers).get('range');
     const status = habits.fail?.(asked.length, address);
-    asked.push({ name: address.slice(serverOfFiles.length + 1), isPart: range !== null });
+    const one = { name: address.slice(serverOfFiles.length + 1), isPart: range !== null };
+    asked.push(one);
     most = Math.max(most, ++running);
     await new Promise((resolve) => setTimeout(resolve, 1));
     running--;
     signal?.throwIfAborted();
     if (status !== undefined) return new Response('', { status });
     const all = files.get(address)!;
-    if (range === null || habits.sendsNoParts)
+    if (range === null || habits.sendsNoParts) {
+      sent.push({ ...one, bytes: all.length });
       return new Response(all, { headers: { 'content-length': String(all.length) } });
+    }
     if (habits.refusesParts) throw new TypeError('Failed to fetch');
-    const part = all.subarray(0, Number(/-(\d+)$/.exec(range)![1]) + 1);
+    const [start, last] = /=(\d+)-(\d+)$/.exec(range)!.slice(1).map(Number);
+    const part = all.subarray(start, last + 1);
+    sent.push({ ...one, bytes: part.length });
     return new Response(part, {
       status: 206,
       headers: {
         'content-length': String(part.length),
-        ...(habits.hidesSizes ? {} : { 'content-range': `bytes 0-${part.length - 1}/${all.length}` }),
+        ...(habits.hidesSizes ? {} : { 'content-range': `bytes ${start}-${start + part.length - 1}/${all.length}` }),
         ...(habits.packsParts ? { 'content-encoding': 'gzip' } : {}),
       },
     });
   };
   try {
-    return await run({ asked, most: () => most });
+    return await run({ asked, sent, most: () => most });
   } finally {
     globalThis.fetch = native;
   }

@@ -10,7 +10,7 @@ import type {
   ProgressListener,
 } from './decoded-volume.ts';
 import type { ScansListener } from './load-request.ts';
-import type { WebPixels } from './scan-data.ts';
+import type { FileRange, WebPixels } from './scan-data.ts';
 
 // How a format describes itself. registry.ts lists all formats.
 
@@ -43,6 +43,13 @@ export interface FrameAccess {
   read(url: string, frames: readonly number[]): Promise<DecodeInput>;
 }
 
+/** Parts of files on servers, which a page can have again later by its `fetchFile`. */
+export interface PartAccess {
+  /** The size of a file of which the start was read; null where its server sends no parts of it, or hides the size. */
+  sizeOf(url: string): number | null;
+  read(url: string, range: FileRange): Promise<DecodeInput>;
+}
+
 /** Many files of which the starts are read first: they need not be in memory together. */
 export interface FolderAccess {
   /** The first bytes of a file; the input says how many are `missing`. */
@@ -53,10 +60,12 @@ export interface FolderAccess {
   sourceOf(url: string): Blob | string | null;
   /** Set where frames are had alone: then the start of a file has all that is before its pixels. */
   readonly frames?: FrameAccess;
+  /** Set where servers send parts of files. */
+  readonly parts?: PartAccess;
   /** Whole files will be read in this order, so that several can be read in one piece. @returns how many to ask for ahead */
   plan(urls: readonly string[]): number;
-  /** No other files will be read, so that the progress counts only these. */
-  expect(urls: readonly string[]): void;
+  /** No other files will be read, so that the progress counts only these. @param bytes - of files of which only parts are read */
+  expect(urls: readonly string[], bytes?: ReadonlyMap<string, number>): void;
   /** Shows a small volume of a part of the data, while the rest is read. @param grid - of the whole volume */
   showPart(part: DecodedCartesianVolume, grid: CartesianGrid): Promise<void>;
 }

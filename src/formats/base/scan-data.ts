@@ -12,12 +12,31 @@ export interface WebPixels {
   readonly frames: number | null;
 }
 
+/** Bytes of a file from `start` up to `end`, which is not included. */
+export interface FileRange {
+  readonly start: number;
+  readonly end: number;
+}
+
+/** Where frames lie in a file. */
+export interface FramePlaces {
+  readonly ranges: readonly FileRange[];
+  /** Whether a frame is one or several pieces of packed pixels, each after its length. */
+  readonly isPacked: boolean;
+}
+
+/** The same for a file on a server that sends parts of it. */
+export interface FrameParts extends FramePlaces {
+  readonly url: string;
+}
+
 /** Some frames of a file that has more, which are not read. */
 export interface FramesOfFile {
   /** The file with the pixels of these frames alone, or up to its pixels. */
   readonly file: Blob;
-  /** Where the pixels are, if they are not in the file. */
+  /** Where the pixels are, if they are not in the file: on a DICOMweb server, or further on in the file. */
   readonly pixels?: WebPixels;
+  readonly parts?: FrameParts;
   /** Which ones, from 0, in the order of their pixels. */
   readonly frames: readonly number[];
 }

@@ -61,7 +61,8 @@ export async function joinPhases(
     }),
   );
   const { index } = chooseScan(times, settings.scan!);
-  context.folder?.expect(listUrls([...phases[index], ...looks.flat()]));
+  const expected = [...phases[index], ...looks.flat()];
+  context.folder?.expect(listUrls(expected), countBytes(expected));
   return joinFrames({ frames: phases[index], left: [] }, settings, context, { ...series, format: formatOf(index) });
 }
 
@@ -96,10 +97,17 @@ type ScanFile = ScanFiles['files'][number];
 
 /** What gives some frames of a picture, which are read again where they are shown; null where they can't be. */
 function findSource(picture: Picture, folder: ReadContext['folder']): (frames: readonly number[]) => ScanFile | null {
-  const { file, url, set } = picture;
-  if (url !== null && folder?.frames) {
+  const { file, url, set, places } = picture;
+  if (url !== null && (folder?.frames || places)) {
     const start = new Blob([set.bytes]);
-    return (frames) => ({ file: start, pixels: folder.frames!.addressOf(url, frames), frames });
+    return (frames) =>
+      places
+        ? {
+            file: start,
+            parts: { url, ranges: frames.map((frame) => places.ranges[frame]), isPacked: places.isPacked },
+            frames,
+          }
+        : { file: start, pixels: folder!.frames!.addressOf(url, frames), frames };
   }
   if (picture.frames > 1) return cutFrames(picture);
   const source = typeof file === 'string' ? (folder?.sourceOf(file) ?? null) : new Blob([file]);
@@ -129,6 +137,18 @@ function placeInFile({ picture, index, corner }: Frame, tiles: Map<Picture, read
   const mine = tiles.get(picture) ?? listFrames(picture);
   tiles.set(picture, mine);
   return mine.findIndex((tile) => tile.corner.every((at, axis) => at === corner[axis]));
+}
+
+/** Bytes that are read of files of which only some frames are. */
+function countBytes(frames: readonly Frame[]): Map<string, number> {
+  const bytes = new Map<string, number>();
+  for (const { picture, index } of frames) {
+    const { url, places, set } = picture;
+    if (url === null || !places) continue;
+    const { start, end } = places.ranges[index];
+    bytes.set(url, (bytes.get(url) ?? set.bytes.length) + end - start);
+  }
+  return bytes;
 }
 
 export const listUrls = (frames: readonly Frame[]): string[] =>

@@ -1,5 +1,6 @@
 // What one file says of its pixels: their size, their numbers, and how they are packed.
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import type { FramePlaces } from '../base/scan-data.ts';
 import { readColors } from './colors.ts';
 import type { Colors } from './colors.ts';
 import type { DataSet } from './data-set.ts';
@@ -20,6 +21,8 @@ export interface Picture {
   readonly pixels: PixelElement;
   /** Of the file, of which only the start was read; null where the pixels are here. */
   readonly url: string | null;
+  /** Where its frames lie, which are read one by one; undefined where the file is read as a whole, or its frames are asked for by number. */
+  readonly places?: FramePlaces;
   /** Its file: the URL of a file of a folder, or the bytes. */
   readonly file: string | Uint8Array<ArrayBuffer>;
   readonly rows: number;

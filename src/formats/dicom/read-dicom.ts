@@ -9,6 +9,9 @@ import { joinFrames } from './join-frames.ts';
 import { joinPhases, listUrls } from './join-phases.ts';
 import { nameAll, readFrames } from './read-frames.ts';
 
+/** Of few files the starts are read first where each has so many bytes: it has several frames, mostly, of which few may be needed. */
+const manyBytes = 2 ** 20;
+
 /**
  * Reads the files of a DICOM series as one volume. Nothing of a file leaves this module but its values with their unit,
  * their place, their kind (such as CT) and their window: no name, no number of a patient, no date. Messages say 'file 12
@@ -19,7 +22,8 @@ export const readDicom: FormatReader = async (input, settings, given) => {
   const files = urls.length;
   try {
     // Of a list that is read at once, files are fetched but once.
-    const folder = given.folder ?? (files < minSlices ? undefined : await given.openList?.(input, urls));
+    const isLong = files >= minSlices || (files > 1 && input.bytes.length >= manyBytes);
+    const folder = given.folder ?? (isLong ? await given.openList?.(input, urls) : undefined);
     const context = { ...given, folder };
     const { frames, left, labels } = await readFrames(input, context, files);
     if (labels) {

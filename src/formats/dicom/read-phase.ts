@@ -5,6 +5,7 @@ import { readAhead } from '../base/read-ahead.ts';
 import { hasFiles } from '../base/scan-data.ts';
 import type { FramesOfFile, ScanFiles, ScanOfVolume } from '../base/scan-data.ts';
 import type { ScanAccess } from '../series/read-scan.ts';
+import { FrameReader } from './frame-places.ts';
 import type { Frame } from './frame.ts';
 import { joinFrames } from './join-frames.ts';
 import { listFrames } from './list-frames.ts';
@@ -25,9 +26,10 @@ export async function readPhase(
   if (!hasFiles(from)) throw new TypeError(`${format} has no files`);
   const { onProgress = () => undefined } = access;
   const pictures: Frame[][] = [];
+  const reader = new FrameReader();
   const total = from.files.length;
   const read = (file: ScanFiles['files'][number], i: number): Promise<Frame[]> =>
-    readFile(file, `file ${i + 1} of ${total} of this time`, access);
+    readFile(file, `file ${i + 1} of ${total} of this time`, { ...access, reader });
   for await (const one of readAhead(from.files, read)) {
     if (one.status === 'rejected') throw one.reason;
     pictures.push(one.value);
@@ -42,8 +44,10 @@ export async function readPhase(
   return joinFrames({ frames, left: [] }, {}, context, { ...series, format });
 }
 
+type FrameAccess = ScanAccess & { readonly reader: FrameReader };
+
 /** The frames of a file; of those that are not read there is no more than what the file says of them. */
-async function readFile(file: ScanFiles['files'][number], what: string, access: ScanAccess): Promise<Frame[]> {
+async function readFile(file: ScanFiles['files'][number], what: string, access: FrameAccess): Promise<Frame[]> {
   if (typeof file === 'object' && 'frames' in file) return readSome(file, what, access);
   const { budget, fetchFile } = access;
   const given = typeof file === 'string' ? (await fetchFile(file)).bytes : await readBlob(file, what);
@@ -55,11 +59,12 @@ async function readFile(file: ScanFiles['files'][number], what: string, access: 
 }
 
 async function readSome(
-  { file, pixels, frames }: FramesOfFile,
+  { file, pixels, parts, frames }: FramesOfFile,
   what: string,
-  { budget, fetchPixels }: ScanAccess,
+  { budget, fetchPixels, fetchFile, reader }: FrameAccess,
 ): Promise<Frame[]> {
-  const bytes = await readBlob(file, what);
+  const start = await readBlob(file, what);
+  const bytes = parts ? await reader.read(start, parts, (range) => fetchFile(parts.url, range), what) : start;
   budget.addFile(bytes.length);
   const read = readDicomFile(bytes, budget, what, pixels ? 1 : 0);
   const picture = readPicture(read, what);

@@ -91,7 +91,8 @@ function openDescribed({ openList }: ReadContext, manifest: Manifest): ReadConte
         readWhole: (url) => folder.readWhole(url),
         sourceOf: (url) => folder.sourceOf(url),
         plan: (order) => folder.plan(order),
-        expect: (expected) => folder.expect(expected),
+        parts: folder.parts,
+        expect: (expected, bytes) => folder.expect(expected, bytes),
         showPart: (part, grid) => folder.showPart(describeVolume(part, manifest), grid),
       };
     })

@@ -2,8 +2,10 @@
 import { hasNumbers } from '../../formats/base/scan-data.ts';
 import type { ScanData, ScanNumbers } from '../../formats/base/scan-data.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
 import type { ScansOfView } from '../model/scans-of-view.ts';
 import type { SocketView } from '../model/view-socket.ts';
+import { VolumeCache } from '../model/volume-cache.ts';
 import type { VolumePick } from '../model/volume-pick.ts';
 import { valueInVolume } from './pick.ts';
 import { placeDataOf, valuesOfPlace } from './place-data.ts';
@@ -31,8 +33,8 @@ interface Reading {
 export const hasValues = ({ voxel, radar }: TimedPlace): boolean => voxel !== null || radar !== null;
 
 /**
- * Reads the values of a place in all scans. Of a file of several volumes, whose numbers lie one after another, only those of that voxel are read. Else scans are opened
- * one after another, and are not kept: those that are in memory come first.
+ * Reads the values of a place in all scans. Of a file of several volumes, whose numbers lie one after another, only those of that voxel are read. Else scans are opened,
+ * a few at a time, and are not kept: those that are in memory come first.
  * @throws {VolumeViewError} where nothing can be read; the signal's reason
  */
 export async function readOverTime(view: SocketView | null, place: TimedPlace, reading: Reading): Promise<void> {
@@ -44,7 +46,7 @@ export async function readOverTime(view: SocketView | null, place: TimedPlace, r
   // A cleaned volume, and one that was made smaller for the device, has other values than its file.
   const isAsInFile = !volume.reduced && (view.settings.source?.clean ?? null) === null;
   if (place.voxel && isAsInFile && data.every(isOfNumbers)) await readVoxel(scans, data, place.voxel, reading);
-  else await readScans(scans, place.world, reading);
+  else await readScans(scans, { world: place.world, shown: volume }, reading);
 }
 
 const isOfNumbers = (data: ScanData | undefined): data is ScanNumbers => data !== undefined && hasNumbers(data);
@@ -77,23 +79,34 @@ async function readVoxel(
   }
 }
 
-/** Opens one scan after another. One that can't be read is counted, and the others go on. */
-async function readScans(scans: ScansOfView, world: Vector3, { signal, onValues }: Reading): Promise<void> {
+/** So many scans are opened at a time, where the device can hold as many volumes: reading one waits for its file most of the time. */
+const opened = 3;
+
+/** Opens the scans that are not in memory, a few at a time. One that can't be read is counted, and the others go on. */
+async function readScans(
+  scans: ScansOfView,
+  { world, shown }: { readonly world: Vector3; readonly shown: Volume },
+  { signal, onValues }: Reading,
+): Promise<void> {
   const { sources } = scans;
   const values = sources.map((): number | undefined => undefined);
   const isKept = sources.map((_, index) => scans.findKept(index) !== null);
   const order = [...sources.keys()];
   order.sort((a, b) => Number(isKept[b]) - Number(isKept[a]) || a - b);
-  let failed = 0;
-  for (const [i, index] of order.entries()) {
-    try {
-      const volume = scans.findKept(index) ?? (await scans.loadAside(index, signal));
-      values[index] = await valueInVolume(volume, world);
-    } catch (error) {
-      signal.throwIfAborted();
-      failed++;
-      if (failed === sources.length) throw error;
+  let [next, done, failed] = [0, 0, 0];
+  const work = async (): Promise<void> => {
+    for (let index = order[next++]; index !== undefined; index = order[next++]) {
+      try {
+        const volume = scans.findKept(index) ?? (await scans.loadAside(index, signal));
+        values[index] = await valueInVolume(volume, world);
+      } catch (error) {
+        signal.throwIfAborted();
+        failed++;
+        if (failed === sources.length) throw error;
+      }
+      done++;
+      onValues({ values: [...values], done: done / order.length, failed });
     }
-    onValues({ values: [...values], done: (i + 1) / order.length, failed });
-  }
+  };
+  await Promise.all(Array.from({ length: VolumeCache.holds(shown, opened) ? opened : 1 }, work));
 }
