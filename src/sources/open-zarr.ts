@@ -37,8 +37,8 @@ export async function openZarr(
     list: async () => null,
     // A server that hides how long a file is may send it.
     stat: async () => ({ size: (await tree.size('')) ?? (await tree.wholeSize('')) }),
-    async read(url, { range } = {}) {
-      const bytes = await tree.read('', { part: range });
+    async read(url, { range, signal } = {}) {
+      const bytes = await tree.read('', { part: range, signal });
       if (bytes) return { bytes, url, contentType: '' };
       throw new VolumeViewError('source/not-found', `${nameOf(address)} is not there any more; load it again`);
     },

@@ -17,7 +17,7 @@ export interface ZipEntry {
 }
 
 /** Reads some bytes of the archive. */
-export type ReadBytes = (start: number, end: number) => Promise<Uint8Array<ArrayBuffer>>;
+export type ReadBytes = (start: number, end: number, signal?: AbortSignal) => Promise<Uint8Array<ArrayBuffer>>;
 
 /** Files and folders that an archive may list: twice as many as one volume may have files. */
 export const maxEntries = 2 ** 14;

@@ -60,8 +60,8 @@ export class ZipStore implements ByteStore {
         'source/unavailable',
         `the server does not say how large ${name} is, so that no part of it can be read`,
       );
-    const readBytes: ReadBytes = async (start, end) => {
-      const { bytes } = await store.read(url, { range: { start, end } });
+    const readBytes: ReadBytes = async (start, end, signal) => {
+      const { bytes } = await store.read(url, { range: { start, end }, signal });
       if (bytes.length < end - start) throw corruptZip(name, 'is cut short');
       return bytes;
     };
@@ -79,16 +79,16 @@ export class ZipStore implements ByteStore {
     return { size: this.#find(url).size };
   }
 
-  async read(url: string, { range, maxBytes = maxFileBytes }: ReadOptions = {}): Promise<DecodeInput> {
+  async read(url: string, { range, maxBytes = maxFileBytes, signal }: ReadOptions = {}): Promise<DecodeInput> {
     const entry = this.#find(url);
     const [start, end] = [Math.min(range?.start ?? 0, entry.size), Math.min(range?.end ?? entry.size, entry.size)];
     if (end - start > maxBytes) throw refuseSize(this.#describe(entry), end - start, maxBytes);
     // Who reads a whole file is to know whether it is damaged; who looks at its start is not.
     const bytes = !range
-      ? await this.#unpackWhole(entry, await this.#readPacked(entry))
+      ? await this.#unpackWhole(entry, await this.#readPacked(entry, { signal }))
       : entry.method === 0
-        ? (await this.#readPacked(entry, { start, end })).slice()
-        : await this.#unpackPart(entry, { start, end });
+        ? (await this.#readPacked(entry, { range: { start, end }, signal })).slice()
+        : await this.#unpackPart(entry, { start, end }, signal);
     return { bytes, url, contentType: '', packedBytes: entry.packed, missing: entry.size - end };
   }
 
@@ -117,8 +117,11 @@ export class ZipStore implements ByteStore {
     return `${path.slice(0, 200)} in the ZIP archive ${this.name}`;
   }
 
-  /** Reads a file as it lies in the archive. @param range - of these bytes; all if undefined */
-  async #readPacked(entry: ZipEntry, range?: ByteRange): Promise<Uint8Array<ArrayBuffer>> {
+  /** Reads a file as it lies in the archive. Of a range, these bytes; all if undefined. */
+  async #readPacked(
+    entry: ZipEntry,
+    { range, signal }: Pick<ReadOptions, 'range' | 'signal'>,
+  ): Promise<Uint8Array<ArrayBuffer>> {
     const { isEncrypted, method, start, packed } = entry;
     if (isEncrypted)
       throw unsupportedZip(this.name, 'is encrypted', 'expected one without a password: pack the files again');
@@ -131,16 +134,17 @@ export class ZipStore implements ByteStore {
     }
     // Of most files the header is short, so that it comes with the rest in one request.
     if (!range && entry.end - start <= localBytes + packed + maxHeader) {
-      const all = await this.archive.readBytes(start, entry.end);
+      const all = await this.archive.readBytes(start, entry.end, signal);
       const from = this.#dataStart(all);
       this.#dataStarts.set(entry, start + from);
       if (from + packed > all.length) throw corruptZip(this.name, 'lists files that overlap');
       return all.subarray(from, from + packed);
     }
     const known = this.#dataStarts.get(entry);
-    const dataStart = known ?? start + this.#dataStart(await this.archive.readBytes(start, start + localBytes));
+    const dataStart = known ?? start + this.#dataStart(await this.archive.readBytes(start, start + localBytes, signal));
     this.#dataStarts.set(entry, dataStart);
-    return this.archive.readBytes(dataStart + (range?.start ?? 0), dataStart + Math.min(range?.end ?? packed, packed));
+    const { start: first, end } = range ?? { start: 0, end: packed };
+    return this.archive.readBytes(dataStart + first, dataStart + Math.min(end, packed), signal);
   }
 
   /** Where the packed bytes of a file begin after its header. */
@@ -173,12 +177,16 @@ export class ZipStore implements ByteStore {
   }
 
   /** Unpacks a file up to the end of a range. Of the packed bytes it reads few first: they are enough where packing made them fewer. */
-  async #unpackPart(entry: ZipEntry, range: ByteRange): Promise<Uint8Array<ArrayBuffer>> {
+  async #unpackPart(
+    entry: ZipEntry,
+    range: ByteRange,
+    signal: AbortSignal | undefined,
+  ): Promise<Uint8Array<ArrayBuffer>> {
     const few = range.end + startOnTrust;
-    if (few >= entry.packed) return this.#unpackUpTo(entry, await this.#readPacked(entry), range)!;
+    if (few >= entry.packed) return this.#unpackUpTo(entry, await this.#readPacked(entry, { signal }), range)!;
     return (
-      this.#unpackUpTo(entry, await this.#readPacked(entry, { start: 0, end: few }), range) ??
-      this.#unpackUpTo(entry, await this.#readPacked(entry), range)!
+      this.#unpackUpTo(entry, await this.#readPacked(entry, { range: { start: 0, end: few }, signal }), range) ??
+      this.#unpackUpTo(entry, await this.#readPacked(entry, { signal }), range)!
     );
   }
 

@@ -24,9 +24,10 @@ export interface BrickStore {
    */
   read(brick: Brick, signal: AbortSignal): Promise<BrickSamples>;
   /**
-   * What the pyramid's writer has said of its levels, in stored values of this store, with the levels of this store. Null where it has said nothing, or what can not
-   * be true. It is read at the first call.
-   * @throws {VolumeViewError} `source/…`; the signal's reason; an `AbortError` once the store is closed
+   * What the pyramid's writer has said of its levels, in stored values of this store, with the levels of this store. Null where it has said nothing. Nothing is
+   * kept: call it once.
+   * @throws {VolumeViewError} `format/corrupt` where it can not be true, `format/too-large`, `format/unsupported`, `source/…`: then the bricks can be read all the
+   * same; the signal's reason; an `AbortError` once the store is closed
    */
   residuals(signal: AbortSignal): Promise<ResidualTable | null>;
   /** Ends all that is on its way. No request is alive afterwards. */

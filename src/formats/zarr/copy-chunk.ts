@@ -1,7 +1,8 @@
 import type { ArrayBox } from './list-chunks.ts';
 import type { ZarrArray } from './zarr-array.ts';
 
-type Numbers = Uint8Array | Uint16Array | Uint32Array | BigUint64Array;
+/** The numbers of a chunk as whole numbers of their size, whatever they stand for. */
+export type Numbers = Uint8Array | Uint16Array | Uint32Array | BigUint64Array;
 
 /** The same bytes as numbers of a size, without their order; copied where they do not begin at a multiple of it. */
 export function asNumbers(bytes: Uint8Array<ArrayBuffer>, size: number): Numbers {

@@ -123,7 +123,7 @@ function anyOf(signal: AbortSignal, other: AbortController): AbortSignal {
 }
 
 /** The bits of the fill value as the file has them. */
-function bitsOf({ type, fill, littleEndian }: ZarrArray): number | bigint {
+export function bitsOf({ type, fill, littleEndian }: ZarrArray): number | bigint {
   const size = type.bytesPerSample;
   const bytes = new Uint8Array(8);
   const view = new DataView(bytes.buffer);

@@ -22,13 +22,31 @@ export interface ChunkRun {
   read(): Promise<readonly Uint8Array<ArrayBuffer>[]>;
 }
 
-/** Where a chunk lies in its shard. */
-interface PlacedChunk {
+/** Where a chunk lies in its shard, in bytes. */
+export interface ChunkSpan {
+  readonly start: number;
+  readonly end: number;
+}
+
+interface PlacedChunk extends ChunkSpan {
   readonly place: readonly number[];
   /** Its rank among those that are wanted. */
   readonly rank: number;
-  readonly start: number;
-  readonly end: number;
+}
+
+/** An array in shards. */
+export type ShardedArray = ZarrArray & { readonly shards: Sharding };
+
+/** The file of a chunk's shard, and the number of the chunk in its index. */
+export function shardOf(
+  { path, shards, chunk, fileOf }: ShardedArray,
+  place: readonly number[],
+): { readonly file: string; readonly inside: number } {
+  const counts = shards.shape.map((n, axis) => n / chunk[axis]);
+  return {
+    file: path + fileOf(place.map((n, axis) => Math.floor(n / counts[axis]))),
+    inside: place.reduce((sum, n, axis) => sum * counts[axis] + (n % counts[axis]), 0),
+  };
 }
 
 interface ShardReading {
@@ -46,22 +64,19 @@ interface ShardReading {
  */
 export async function listRuns(
   tree: Pick<FileTree, 'read'>,
-  array: ZarrArray & { readonly shards: Sharding },
+  array: ShardedArray,
   places: readonly (readonly number[])[],
   { budget, signal, atOnce }: ShardReading,
 ): Promise<ChunkRun[]> {
-  const { shards, chunk } = array;
-  const counts = shards.shape.map((n, axis) => n / chunk[axis]);
-  const wanted = new Map<string, { readonly place: readonly number[]; readonly rank: number }[]>();
+  const wanted = new Map<string, (Pick<PlacedChunk, 'place' | 'rank'> & { readonly inside: number })[]>();
   for (const [rank, place] of places.entries()) {
-    const path = array.path + array.fileOf(place.map((n, axis) => Math.floor(n / counts[axis])));
-    const known = wanted.get(path);
-    if (known) known.push({ place, rank });
-    else wanted.set(path, [{ place, rank }]);
+    const { file, inside } = shardOf(array, place);
+    const known = wanted.get(file);
+    if (known) known.push({ place, rank, inside });
+    else wanted.set(file, [{ place, rank, inside }]);
   }
   const ranked: { readonly run: ChunkRun; readonly rank: number }[] = [];
-  const readIndex = (path: string): Promise<DataView | null> =>
-    readIndexOf(tree, path, { shards, chunks: counts.reduce((product, n) => product * n, 1), budget, signal });
+  const readIndex = (path: string): Promise<DataView | null> => readIndexOf(tree, path, array, { budget, signal });
   const paths = [...wanted.keys()];
   let next = 0;
   for await (const index of readAhead(paths, readIndex, atOnce)) {
@@ -69,8 +84,7 @@ export async function listRuns(
     if (index.status === 'rejected') throw index.reason;
     const { value: view } = index;
     if (!view) continue;
-    const found = wanted.get(path)!.flatMap(({ place, rank }): PlacedChunk[] => {
-      const inside = place.reduce((sum, n, axis) => sum * counts[axis] + (n % counts[axis]), 0);
+    const found = wanted.get(path)!.flatMap(({ place, rank, inside }): PlacedChunk[] => {
       const span = readSpan(view, inside);
       return span ? [{ place, rank, ...span }] : [];
     });
@@ -85,16 +99,14 @@ export async function listRuns(
   return ranked.map(({ run }) => run);
 }
 
-async function readIndexOf(
+/** Reads the index of a shard, whose bytes are taken from the budget; null where the shard is missing. @throws {VolumeViewError} `format/corrupt`, `source/…` */
+export async function readIndexOf(
   tree: Pick<FileTree, 'read'>,
   path: string,
-  {
-    shards,
-    chunks,
-    budget,
-    signal,
-  }: { readonly shards: Sharding; readonly chunks: number; readonly budget: Budget; readonly signal?: AbortSignal },
+  { shards, chunk }: ShardedArray,
+  { budget, signal }: { readonly budget: Budget; readonly signal?: AbortSignal },
 ): Promise<DataView | null> {
+  const chunks = shards.shape.reduce((product, n, axis) => product * (n / chunk[axis]), 1);
   const indexBytes = 16 * chunks + (shards.hasChecksum ? 4 : 0);
   const part: FilePart = shards.isIndexFirst ? { start: 0, end: indexBytes } : { last: indexBytes };
   const bytes = await tree.read(path, { part, signal });
@@ -109,8 +121,8 @@ async function readIndexOf(
   return view;
 }
 
-/** Where a chunk lies; null where it is missing. */
-function readSpan(index: DataView, inside: number): { readonly start: number; readonly end: number } | null {
+/** Where a chunk lies; null where it is missing. @param inside - its number in the index */
+export function readSpan(index: DataView, inside: number): ChunkSpan | null {
   const [start, length] = [index.getBigUint64(16 * inside, true), index.getBigUint64(16 * inside + 8, true)];
   if (start === nothing && length === nothing) return null;
   const end = Number(start + length);
@@ -120,8 +132,8 @@ function readSpan(index: DataView, inside: number): { readonly start: number; re
 }
 
 /** Chunks that lie side by side in a shard, or nearly. Those that overlap, as no program writes them, are read one by one. */
-function joinChunks(chunks: readonly PlacedChunk[]): PlacedChunk[][] {
-  const runs: PlacedChunk[][] = [];
+export function joinChunks<T extends ChunkSpan>(chunks: readonly T[]): T[][] {
+  const runs: T[][] = [];
   const ordered = [...chunks];
   ordered.sort((a, b) => a.start - b.start);
   for (const chunk of ordered) {
@@ -133,10 +145,11 @@ function joinChunks(chunks: readonly PlacedChunk[]): PlacedChunk[][] {
   return runs;
 }
 
-async function readRun(
+/** Reads the packed bytes of chunks that lie side by side. @throws {VolumeViewError} `format/corrupt`, `source/…` */
+export async function readRun(
   tree: Pick<FileTree, 'read'>,
   path: string,
-  chunks: readonly PlacedChunk[],
+  chunks: readonly ChunkSpan[],
   signal: AbortSignal | undefined,
 ): Promise<readonly Uint8Array<ArrayBuffer>[]> {
   const { start } = chunks[0];

@@ -1,0 +1,66 @@
+import { expect } from '@esm-bundle/chai';
+import type { BrickStore } from '../../src/formats/base/brick-store.ts';
+import { Queue } from '../../src/formats/base/queue.ts';
+import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
+import { openZarrBricks } from '../../src/formats/zarr/zarr-bricks.ts';
+import type { BrickOpening } from '../../src/formats/zarr/zarr-bricks.ts';
+import type { Brick } from '../../src/bricks/pyramid.ts';
+import type { Formula, FormulaFiles } from './formula-pyramid.ts';
+
+/** A signal that is never given. */
+export const noSignal = (): AbortSignal => new AbortController().signal;
+
+/** What a promise fails with. */
+export const failureOf = (promise: Promise<unknown>): Promise<unknown> =>
+  promise.then(
+    () => Promise.reject(new Error('expected a failure, got none')),
+    (reason: unknown) => reason,
+  );
+
+/** Opens a Zarr in bricks, as the worker does. */
+export const openBricksOf = (
+  tree: FileTree,
+  opening: Partial<BrickOpening> = {},
+  settings = {},
+): Promise<BrickStore | null> =>
+  openZarrBricks(tree, settings, { signal: noSignal(), requests: new Queue(8), ...opening });
+
+/** Files that are computed, without a server. */
+export const formulaTree = (files: FormulaFiles): FileTree => ({
+  async read(path, { part, signal } = {}) {
+    signal?.throwIfAborted();
+    const size = files.sizeOf(path);
+    if (size === null) return null;
+    if (!part) return files.bytesOf(path, 0, size);
+    return 'end' in part
+      ? files.bytesOf(path, part.start, Math.min(size, part.end))
+      : files.bytesOf(path, Math.max(0, size - part.last), size);
+  },
+  showPart: async () => undefined,
+});
+
+/** All bricks of all levels. */
+export function allBricks({ levels }: BrickStore): Brick[] {
+  return levels.flatMap(({ bricks: [nx, ny, nz] }, level) =>
+    Array.from({ length: nx * ny * nz }, (_, n): Brick => ({
+      level,
+      at: [n % nx, Math.floor(n / nx) % ny, Math.floor(n / (nx * ny))],
+    })),
+  );
+}
+
+/** Checks a brick, with its halo, against the formula. */
+export async function expectFormula(store: BrickStore, formula: Formula, brick: Brick): Promise<void> {
+  const { samples, low, high } = await store.read(brick, noSignal());
+  const first = brick.at.map((n) => 32 * n - 1);
+  const expected = formula.boxOf(brick.level, first, [34, 34, 34]);
+  const wrong = samples.findIndex((value, n) => value !== expected[n]);
+  if (samples.length !== expected.length || wrong >= 0)
+    expect({ brick, wrong, got: samples[wrong], length: samples.length }).to.equal(expected[wrong]);
+  let [smallest, largest] = [Infinity, -Infinity];
+  for (const value of expected) {
+    smallest = Math.min(smallest, value);
+    largest = Math.max(largest, value);
+  }
+  expect([low, high]).to.deep.equal([smallest, largest]);
+}
