@@ -13,6 +13,7 @@ import type { MeshRequest, SurfaceRequest, TerrainRequest } from './surface-requ
 import { readHgt } from '../formats/terrain/hgt.ts';
 import type { HgtTile } from '../formats/terrain/hgt.ts';
 import { makeTerrain } from '../formats/terrain/make-terrain.ts';
+import type { Report } from './worker-messages.ts';
 import { joinTiles } from '../formats/terrain/terrain-raster.ts';
 
 interface Environment {
@@ -25,6 +26,12 @@ interface Environment {
 
 /** The number of triangles to which terrain is simplified. */
 const terrainTriangles = 200_000;
+
+/** Loads a surface in a worker, and reports it. */
+export async function runOther(request: SurfaceRequest, environment: Environment, report: Report): Promise<void> {
+  const surface = await decodeSurface(request, environment);
+  report({ type: 'done', volume: surface }, listSurfaceBuffers(surface));
+}
 
 /** Fetches, reads and finishes a surface. @throws {VolumeViewError} as fetchBytes, readMesh and makeTerrain do */
 export async function decodeSurface(request: SurfaceRequest, environment: Environment): Promise<Surface> {
@@ -64,7 +71,7 @@ async function fetchAll(
 }
 
 /** The buffers that are transferred to the page instead of copied. */
-export function listSurfaceBuffers({ parts }: Surface): ArrayBuffer[] {
+function listSurfaceBuffers({ parts }: Surface): ArrayBuffer[] {
   return parts.flatMap(({ positions, normals, indices, colors }) =>
     [positions, normals, indices, ...(colors ? [colors] : [])].map(({ buffer }) => buffer),
   );

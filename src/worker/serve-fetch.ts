@@ -58,9 +58,10 @@ export function withPage(
       const port = checked ? serveFetch(checked, signal) : undefined;
       const request = sendFiles(order.request, signal);
       const rest = 'local' in request ? request.local?.rest : undefined;
+      const bricks = 'bricks' in request ? request.bricks : undefined;
       worker.postMessage(
         { ...order, request, port } satisfies WorkerOrder,
-        [port, rest].filter((one) => one !== undefined),
+        [port, rest, bricks].filter((one) => one !== undefined),
       );
     };
     return worker;

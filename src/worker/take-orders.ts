@@ -6,7 +6,7 @@ import { decodeRequest } from './decode-request.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import type { DeviceLimits, LoadProgress } from '../formats/base/load-request.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
-import type { WorkerAnswer, WorkerLimits, WorkerOrder, WorkerReport, WorkerStop } from './worker-messages.ts';
+import type { Report, WorkerAnswer, WorkerLimits, WorkerOrder, WorkerReport, WorkerStop } from './worker-messages.ts';
 
 /** Minimum milliseconds between two progress messages. */
 const reportEveryMs = 40;
@@ -16,9 +16,6 @@ export interface WorkerScope {
   onmessage: ((event: MessageEvent<WorkerOrder | WorkerLimits | WorkerStop>) => void) | null;
   postMessage(message: WorkerAnswer, transfer?: Transferable[]): void;
 }
-
-/** Sends a report of an order. */
-type Report = (message: WorkerReport, transfer?: Transferable[]) => void;
 
 /** Takes the orders that come to a worker. */
 export function takeOrders(worker: WorkerScope): void {
@@ -56,11 +53,12 @@ async function runOrder(
       fetch: port && (await loadReader(() => import('#rare/worker/page-fetch.ts'))).fetchOnPage(port),
       onProgress: throttle(report),
     };
-    if ('surface' in request) {
-      const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('#rare/worker/decode-surface.ts'));
-      const surface = await decodeSurface(request, environment);
-      return report({ type: 'done', volume: surface }, listSurfaceBuffers(surface));
-    }
+    if ('surface' in request)
+      return await (
+        await loadReader(() => import('#rare/worker/decode-surface.ts'))
+      ).runOther(request, environment, report);
+    if ('bricks' in request)
+      return await (await loadReader(() => import('#rare/worker/serve-bricks.ts'))).runOther(request, environment);
     const volume = await decodeRequest(
       { ...request, limits },
       {

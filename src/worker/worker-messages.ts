@@ -4,11 +4,12 @@ import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from '../formats/base/choose-scan.ts';
 import type { ScanData } from '../formats/base/scan-data.ts';
 import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from '../formats/base/load-request.ts';
+import type { BricksRequest } from './brick-messages.ts';
 import type { SurfaceRequest } from './surface-request.ts';
 
 /** The first message of a load to the worker, which must have no other order. */
 export interface WorkerOrder {
-  readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest;
+  readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest | BricksRequest;
   readonly pageOrigin: string;
   /** To the page, where it fetches by a function of its own. */
   readonly port?: MessagePort;
@@ -39,3 +40,6 @@ export type WorkerReport =
 
 /** To a stop the worker answers 'stopped', when it has no order any longer. */
 export type WorkerAnswer = WorkerReport | { readonly type: 'stopped' };
+
+/** Sends a report of an order. */
+export type Report = (message: WorkerReport, transfer?: Transferable[]) => void;

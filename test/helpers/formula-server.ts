@@ -26,10 +26,15 @@ export interface FormulaServer {
   close(): Promise<void>;
 }
 
-export async function startFormulaServer(files: FormulaFiles, faults: ServerFaults = {}): Promise<FormulaServer> {
+/** @param name - of the folder */
+export async function startFormulaServer(
+  files: FormulaFiles,
+  faults: ServerFaults = {},
+  name = 'formula.ome.zarr',
+): Promise<FormulaServer> {
   const asked: string[] = [];
   const counts = { most: 0, running: 0, cancelled: 0, failed: 0, sent: 0 };
-  const folder = '/formula.ome.zarr/';
+  const folder = `/${name}/`;
   let [due, failures] = [0, 0];
   /** Waits until the connection, which all share, has sent so many bytes. */
   const send = async (bytes: number): Promise<void> => {
