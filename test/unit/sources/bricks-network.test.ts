@@ -60,7 +60,7 @@ describe('bricks from a server', () => {
     withBricks(large, { delayMs: 2 }, async ({ server, store, formula }) => {
       expect(store.levels.map(({ dimensions }) => dimensions[0])).to.deep.equal([2048, 1024, 512, 256, 128, 64, 32]);
       await Promise.all(someBricks(store, 1).map((brick) => expectFormula(store, formula, brick)));
-      expect(server.counts.most).to.equal(8);
+      expect(server.counts.most).to.be.within(2, 8);
     }));
 
   it('of 16,384 x 16,384 x 8,192 voxels, of 16 bits, in shards, have the values of the formula', () =>
