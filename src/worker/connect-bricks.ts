@@ -56,7 +56,7 @@ export function connectBricks(port: MessagePort, signal: AbortSignal, onEnd: () 
       const done = (): void => own.removeEventListener('abort', giveUp);
       waiting.set(id, {
         resolve: (value) => (done(), resolve(value)),
-        reject: (reason) => (done(), reject(reason as Error)),
+        reject: (reason) => (done(), reject(reason)),
       });
       tell({ id, ...what });
     });
