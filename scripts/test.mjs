@@ -96,6 +96,12 @@ const parts = [
     after: 'Build: dist stays whole meanwhile',
   },
   {
+    title: 'The archive of many scans, in Python',
+    args: ['test/package/archive.mjs'],
+    counts: true,
+    after: 'Build: dist stays whole meanwhile',
+  },
+  {
     title: 'The plugin for WordPress',
     args: ['test/package/wordpress.mjs'],
     counts: true,

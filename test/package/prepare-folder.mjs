@@ -202,6 +202,8 @@ await check('a second run writes nothing, and one after a file changed makes tha
   const second = run(site);
   assert.deepEqual(listSite(site), before);
   assert.equal(second.lines.filter(({ status }) => status === 'unchanged').length, done.length);
+  // Nor does it make anything with more or less memory.
+  assert.equal(run(site, '--memory', '2000').lines.filter(({ status }) => status === 'done').length, 0);
   // Another time and the same bytes are no change.
   utimesSync(join(folder, 'Plantedfolder/plantedfile.nii'), 1e9, 1e9);
   assert.equal(run(site).lines.filter(({ status }) => status === 'done').length, 0);
@@ -309,6 +311,7 @@ await check('what can not be done is said in words', () => {
     [[folder, '--out', site, '--as', 'video'], /expected mosaic or single-file/],
     [[folder, '--out', site, '--fit', 'watch'], /expected phone/],
     [[folder, '--out', site, '--jobs', '0'], /whole number from 1/],
+    [[folder, '--out', site, '--memory', '1.5'], /whole number from 1/],
     [[folder, '--out', site, '--poster', '9999'], /whole number from 0 to 1024/],
     [[folder, '--out', site, '--deface'], /pydeface.*mri_deface/],
     [[join(work, 'nothing'), '--out', site], /nothing/],

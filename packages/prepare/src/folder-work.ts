@@ -117,7 +117,10 @@ export class FolderWork {
 }
 
 /** What a source was made with: the version of the program and its options. */
-export const madeBy = ({ version, options }: FolderRequest): string => JSON.stringify([version, options]);
+export function madeBy({ version, options }: FolderRequest): string {
+  // More or less memory decides what can be made, and changes nothing that is.
+  return JSON.stringify([version, { ...options, deviceBytes: undefined }]);
+}
 
 /** Whether the files of a source are those of the last time, whatever was made of them. */
 export function isTried(one: FolderSource, known: KnownSource | undefined, made: string): boolean {

@@ -24,7 +24,7 @@ volume-view-prepare FILE --as ome-zarr [--out NAME]
     each volume of the file as an OME-Zarr, the folder NAME.ome.zarr: levels of detail in small pieces, of which a page loads what it shows
 volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
     a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
-volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--timeout SECONDS]
+volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--memory MEGABYTES] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout
 volume-view-prepare FOLDER --out SITE --watch [--newest N] [--every SECONDS] [--settle SECONDS] [options of a folder]
     the same for a folder into which a radar writes, until you end it: SITE/newest/index.html shows the newest N scans with a timeline, and old ones are removed from SITE`;
@@ -110,6 +110,7 @@ interface SiteValues {
   readonly fit: string;
   readonly poster: string;
   readonly jobs?: string;
+  readonly memory?: string;
   readonly timeout: string;
   readonly 'keep-names': boolean;
   readonly watch: boolean;
@@ -125,6 +126,7 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   if (fit !== 'desktop' && fit !== 'phone') throw new Misuse(`got --fit ${fit}; expected phone, or nothing`);
   const poster = readCount('poster', values.poster, [0, maxPoster]);
   const jobs = values.jobs === undefined ? undefined : readCount('jobs', values.jobs);
+  const memory = values.memory === undefined ? totalmem() : 1e6 * readCount('memory', values.memory);
   if (values.watch && as !== 'mosaic') throw new Misuse(`got --as ${as} with --watch; expected mosaic, or nothing`);
   const request = {
     folder,
@@ -135,7 +137,7 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
       poster,
       ...(moment === undefined ? {} : { moment }),
       keepNames: values['keep-names'],
-      deviceBytes: (shareOfMemory * totalmem()) / (jobs ?? availableParallelism()),
+      deviceBytes: (shareOfMemory * memory) / (jobs ?? availableParallelism()),
     },
     jobs,
     timeout: readCount('timeout', values.timeout),
@@ -230,6 +232,7 @@ async function main(): Promise<void> {
       fit: { type: 'string', default: 'desktop' },
       poster: { type: 'string', default: '256' },
       jobs: { type: 'string' },
+      memory: { type: 'string' },
       timeout: { type: 'string', default: '1800' },
       watch: { type: 'boolean', default: false },
       newest: { type: 'string', default: '12' },
