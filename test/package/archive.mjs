@@ -23,7 +23,7 @@ const run = (program, args) =>
   spawnSync(program, args, {
     cwd: folder,
     encoding: 'utf8',
-    timeout: 400_000,
+    timeout: 600_000,
     env: { ...process.env, PYTHONPATH: join(folder, 'src'), PYTHONDONTWRITEBYTECODE: '1', PYTHONWARNINGS: 'ignore' },
   });
 

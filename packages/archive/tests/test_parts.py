@@ -7,6 +7,7 @@ import unittest
 from unittest import mock
 
 from volume_view_archive.catalogue import write_catalogue
+from volume_view_archive.cli import copy_script
 from volume_view_archive.find_units import Unit, find_units, names_of
 from volume_view_archive.ledger import Ledger
 from volume_view_archive.places import Entry, Place
@@ -60,6 +61,20 @@ class Batches(unittest.TestCase):
         units = [Unit(str(i), (str(i),), size, False) for i, size in enumerate([1, 1, 1, 50, 1, 200, 1])]
         sizes = [[one.size for one in batch] for batch in divide(units, Plan(batch=3, batch_bytes=100))]
         self.assertEqual(sizes, [[1, 1, 1], [50, 1], [200], [1]])
+
+
+class PlayerTest(Folder):
+    def test_the_script_comes_with_its_parts_and_once(self):
+        for name in ("classic/1.js", "x3dom.js", "volume-view.iife.js", "other.js"):
+            path = self.folder / "dist" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(name)
+        site = self.folder / "site"
+        copy_script(Place(str(site)), str(self.folder / "dist"))
+        self.assertEqual({str(one.relative_to(site)) for one in site.rglob("*.js")}, {"classic/1.js", "x3dom.js", "volume-view.iife.js"})
+        (site / "x3dom.js").unlink()
+        copy_script(Place(str(site)), str(self.folder / "dist"))
+        self.assertFalse((site / "x3dom.js").exists(), "the same script is not copied again")
 
 
 class LedgerTest(Folder):

@@ -38,7 +38,7 @@ def main(arguments=None):
     plan = Plan(batch=args.batch, retries=args.retries)
     try:
         target.remove_unfinished()
-        _copy_script(target, args.player)
+        copy_script(target, args.player)
         with open_cluster(args.cluster, args.workers, json.loads(args.slurm)) as client:
             if args.watch:
                 return _watch(client, job, ledger, plan, args)
@@ -87,11 +87,16 @@ def _find_command(text):
     raise SystemExit("got no volume-view-prepare on the PATH; expected it, or Node, or --prepare with a command")
 
 
-def _copy_script(target, player):
+def copy_script(target, player):
     """The element's files, which the pages need; they come from the folder dist of the package volume-view."""
     if player is None:
         if not target.exists("volume-view.iife.js"):
             _say("the pages need volume-view.iife.js, x3dom.js and the folder classic of the package volume-view next to index.html; --player DIST copies them")
+        return
+    with open(os.path.join(player, "volume-view.iife.js"), "rb") as file:
+        script = file.read()
+    # It is written last: where it is, all the rest is.
+    if target.exists("volume-view.iife.js") and target.read("volume-view.iife.js") == script:
         return
     folders = {"": ["x3dom.js", "volume-view.iife.js"], "classic": sorted(os.listdir(os.path.join(player, "classic")))}
     for folder in ("classic", ""):
