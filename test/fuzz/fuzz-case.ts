@@ -13,6 +13,8 @@ export interface FilesCase {
   readonly stack?: true;
   /** Whether their names are the paths of a folder that is read as a whole. */
   readonly isTree?: true;
+  /** Whether such a folder is read brick by brick. */
+  readonly isBricks?: true;
   /** Of such a folder: whether the one file is an archive with it, and what its address asks for. */
   readonly isPacked?: boolean;
   readonly choice?: { readonly channel?: string; readonly channels?: string };

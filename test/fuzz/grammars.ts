@@ -15,7 +15,7 @@ import { png } from './grammars/png.ts';
 import { rainbow } from './grammars/rainbow.ts';
 import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 import { tiff } from './grammars/tiff.ts';
-import { zarr } from './grammars/zarr.ts';
+import { bricks, zarr } from './grammars/zarr.ts';
 import { zstd } from './grammars/zstd.ts';
 
 /** All that can be fuzzed, by the names that `npm run fuzz` takes. */
@@ -40,6 +40,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   minc,
   zstd,
   zarr,
+  bricks,
   dicom,
   'dicom-folder': dicomFolder,
   'dicom-times': dicomTimes,

@@ -8,11 +8,14 @@ import type { ScanData } from '../../src/formats/base/scan-data.ts';
 import { checkGeometry } from '../../src/formats/base/check-geometry.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
+import { Queue } from '../../src/formats/base/queue.ts';
 import { readZarr } from '../../src/formats/zarr/read-zarr.ts';
+import { openZarrBricks } from '../../src/formats/zarr/zarr-bricks.ts';
 import { MemoryStore } from '../../src/sources/memory-store.ts';
 import { findTrees, openTree } from '../../src/sources/store-tree.ts';
 import { ZipStore } from '../../src/sources/zip-store.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { decodeRequest } from '../../src/worker/decode-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -47,6 +50,7 @@ export async function judge(one: FuzzCase): Promise<Verdict> {
 }
 
 async function load(one: FilesCase): Promise<Finding | null> {
+  if (one.isBricks) return loadBricks(one);
   if (one.isTree) return loadTree(one);
   if (one.web) return loadWeb(one, one.web);
   if (one.times) return loadTimes(one);
@@ -171,10 +175,11 @@ async function loadFiles({ files, stack, settings = {} }: FilesCase): Promise<Vo
   return finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
 }
 
-async function loadTree({ files, settings = {}, isPacked, choice }: FilesCase): Promise<Finding | null> {
+/** The folder of a case. */
+async function treeOf({ files, isPacked, choice }: FilesCase): Promise<FileTree> {
   const found = new Map(files.map(({ name, bytes }) => [name, bytes] as const));
   const packed = isPacked ? await openArchive(files[0].bytes) : null;
-  const tree: FileTree = {
+  return {
     ...choice,
     async read(path, { part } = {}) {
       const bytes = found.get(path);
@@ -184,10 +189,42 @@ async function loadTree({ files, settings = {}, isPacked, choice }: FilesCase): 
     ...packed,
     showPart: async (part) => void (await finishVolume(part, smallDevice)),
   };
+}
+
+async function loadTree(one: FilesCase): Promise<Finding | null> {
+  const { settings = {} } = one;
+  const tree = await treeOf(one);
   const load = { limits: smallDevice, budget: new Budget(smallBudget), onProgress: () => undefined };
   const decoded = await readZarr(tree, settings, load);
   checkGeometry(decoded);
   return judgeVolume(await finishVolume(decoded, smallDevice));
+}
+
+/** The first, the last and another brick of each level, and what is said of the levels. A brick that can't be read keeps no other from it. */
+async function loadBricks(one: FilesCase): Promise<Finding | null> {
+  const { signal } = new AbortController();
+  const opening = { signal, requests: new Queue(8), keptBytes: smallDevice.maxBytes, deviceBytes: smallBudget };
+  const store = await openZarrBricks(await treeOf(one), one.settings ?? {}, opening);
+  if (!store) return null;
+  let wrong = findOdd(store.levels, 'levels') ?? findOdd([store.slope, store.intercept], 'scaling');
+  let failure: unknown;
+  for (const [level, { bricks }] of store.levels.entries())
+    for (const share of [0, 0.5, 1]) {
+      const at = bricks.map((n) => Math.round(share * (n - 1))) as unknown as Vector3;
+      try {
+        const { samples, low, high } = await store.read({ level, at }, signal);
+        if (samples.length !== 34 ** 3) wrong ??= `${samples.length} samples`;
+        if (low <= high) wrong ??= findOdd([low, high], 'range');
+      } catch (error) {
+        if (!(error instanceof VolumeViewError) || error.code === 'internal') throw error;
+        failure ??= error;
+      }
+    }
+  const table = await store.residuals(signal);
+  for (const { max, rms } of table?.levels ?? []) wrong ??= findOdd([...max, ...rms], 'residuals');
+  store.close();
+  if (failure) throw failure;
+  return wrong === null ? null : { kind: 'not finite', detail: wrong };
 }
 
 /** An OME-Zarr in a ZIP archive. */

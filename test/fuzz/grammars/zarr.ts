@@ -1,6 +1,6 @@
 import { deflateRawSync, deflateSync, gzipSync } from 'node:zlib';
 import { crc32 } from '../../../src/formats/codecs/crc32.ts';
-import { jsonBytes, pyramidFiles } from '../../helpers/zarr-bytes.ts';
+import { jsonBytes, pyramidFiles, writeArray } from '../../helpers/zarr-bytes.ts';
 import { zipBytes } from '../../helpers/zip-bytes.ts';
 import type { ZipPart } from '../../helpers/zip-bytes.ts';
 import { little } from '../bytes.ts';
@@ -77,6 +77,38 @@ export const zarr: Grammar = (random): FilesCase => {
       ...(random.chance(0.2) && { region: [random.number(0), -0.005, 0, random.number(-0.005), 0, 0.004] }),
       ...(random.chance(0.2) && { scan: { index: random.int(0, 2) } }),
     },
+  };
+};
+
+/** The same read brick by brick, with a table of what its levels hide, which lies too. */
+export const bricks: Grammar = (random): FilesCase => {
+  const one = zarr(random) as FilesCase;
+  const levels = new Set(one.files.map(({ name }) => /^(\d)\//.exec(name)?.[1])).size - 1;
+  const files = new Map<string, Uint8Array<ArrayBuffer>>();
+  const group = { version: random.or(1, 0, 2, 1e300), block: random.or<unknown>([32, 32, 32], ...odd), levels };
+  files.set('zarr.json', jsonBytes({ attributes: { 'volume-view': group } }));
+  const names = Array.from({ length: levels }, (_, n) =>
+    n === 0 ? ['min', 'max'] : [`residual-max-${n}`, `residual-rms-${n}`],
+  ).flat();
+  for (const name of names)
+    writeArray(files, name, {
+      version: 3,
+      type: 'float32',
+      shape: random.or([1, 1, 1], [1, 1, 2], [1, 1]),
+      chunk: [1, 1, 1],
+      valueAt: () => random.or(1, NaN, -1, 1e38, Infinity),
+    });
+  for (const [path, bytes] of files) {
+    if (!path.endsWith('.json')) continue;
+    const metadata = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, unknown>;
+    if (random.isWild()) change(random, metadata);
+    files.set(path, jsonBytes(metadata));
+  }
+  return {
+    ...one,
+    isBricks: true,
+    files: [...one.files, ...[...files].map(([name, bytes]) => ({ name: `volume-view/${name}`, bytes }))],
+    choice: { channel: '1', ...one.choice },
   };
 };
 
