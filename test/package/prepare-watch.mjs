@@ -53,8 +53,9 @@ process.on('exit', () => {
   rmSync(work, { recursive: true, force: true });
 });
 
-function start() {
-  const args = ['--watch', '--newest', '3', '--every', '0.2', '--settle', '0.6', '--poster', '0'];
+/** @param {string} newest */
+function start(newest = '3') {
+  const args = ['--watch', '--newest', newest, '--every', '0.2', '--settle', '0.6', '--poster', '0'];
   watch = spawn(process.execPath, [program, folder, '--out', site, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
   let rest = '';
   watch.stdout?.on('data', (text) => {
@@ -188,23 +189,29 @@ await check('a file of the same bytes and another time is not made again', async
   assert.equal(statSync(join(site, 'newest/scans.json')).mtimeMs, before);
 });
 
-await check('SIGTERM ends it with status 0, and what can not be done is said in words', async () => {
-  assert.equal(await end('SIGTERM'), 0);
-  assert.ok(!existsSync(join(`${site}.private`, 'lock')));
-  const plain = join(work, 'plain');
-  assert.equal(spawnSync(process.execPath, [program, folder, '--out', plain, '--poster', '0']).status, 0);
-  for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
-    [[folder, '--out', site], /--watch, which removes old scans/],
-    [[folder, '--out', plain, '--watch'], /without --watch/],
-    [[folder, '--out', join(work, 'one'), '--watch', '--as', 'single-file'], /with --watch; expected mosaic/],
-    [[folder, '--out', join(work, 'one'), '--watch', '--newest', '0'], /whole number from 1 to 1000/],
-    [[folder, '--out', join(work, 'one'), '--watch', '--every', '0'], /seconds from 0.1/],
-  ])) {
-    const { status, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8', timeout: 20_000 });
-    assert.equal(status, 1, args.join(' '));
-    assert.match(stderr, words);
-  }
-  assert.ok(folders() > 0 && readdirSync(plain).length > 6);
-});
+await check(
+  'SIGTERM ends it with status 0, the next one has its own options, and what can not be done is said in words',
+  async () => {
+    assert.equal(await end('SIGTERM'), 0);
+    assert.ok(!existsSync(join(`${site}.private`, 'lock')));
+    start('2');
+    await until(() => minutesIn() === '50,55');
+    assert.equal(await end('SIGTERM'), 0);
+    const plain = join(work, 'plain');
+    assert.equal(spawnSync(process.execPath, [program, folder, '--out', plain, '--poster', '0']).status, 0);
+    for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
+      [[folder, '--out', site], /--watch, which removes old scans/],
+      [[folder, '--out', plain, '--watch'], /without --watch/],
+      [[folder, '--out', join(work, 'one'), '--watch', '--as', 'single-file'], /with --watch; expected mosaic/],
+      [[folder, '--out', join(work, 'one'), '--watch', '--newest', '0'], /whole number from 1 to 1000/],
+      [[folder, '--out', join(work, 'one'), '--watch', '--every', '0'], /seconds from 0.1/],
+    ])) {
+      const { status, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8', timeout: 20_000 });
+      assert.equal(status, 1, args.join(' '));
+      assert.match(stderr, words);
+    }
+    assert.ok(folders() > 0 && readdirSync(plain).length > 6);
+  },
+);
 
 finish();

@@ -90,6 +90,11 @@ class LedgerTest(Folder):
         ledger.close()
         ledger = Ledger(str(self.folder / "private"), "v1")
         self.assertEqual([line["id"] for line in ledger.scans()], ["1", "3"])
+        ledger.keep([Outcome("d", "failed", [{"status": "failed", "code": "batch/failed"}])])
+        self.assertTrue(ledger.is_finished("d"))
+        ledger.forget_failed()
+        self.assertFalse(ledger.is_finished("d"))
+        self.assertTrue(ledger.is_finished("c"))
         ledger.close()
         with self.assertRaises(SystemExit):
             (self.folder / "private/lock").write_text("1")

@@ -194,6 +194,7 @@ class Runs(Archive):
         self.folder.mkdir()
         for arguments, words in (
             ([str(self.folder), "--out", "memory://x"], "--private"),
+            ([str(self.folder), "--out", str(self.site), "--prepare", "false"], "got no answer of false --version"),
             ([str(self.folder), "--out", str(self.site), "--", "--keep-names"], "--keep-names after --"),
             ([str(self.folder), "--out", str(self.site), "--", "--out=x"], "--out=x after --"),
         ):

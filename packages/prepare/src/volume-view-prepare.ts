@@ -249,9 +249,11 @@ async function main(): Promise<void> {
       'keep-names': { type: 'boolean', default: false },
       deface: { type: 'boolean', default: false },
       help: { type: 'boolean', short: 'h' },
+      version: { type: 'boolean' },
     },
   });
   if (values.help) return console.log(usage);
+  if (values.version) return console.log(version);
   const [path] = positionals;
   if (values.as === 'video' && path !== undefined && !positionals.some((one) => statSync(one).isDirectory()))
     return writeFrames(positionals, values);

@@ -68,6 +68,7 @@ class FolderWatch {
   readonly #bad = new Map<string, string>();
   #scriptIsThere = false;
   #seriesWereFound = false;
+  #wasRolled = false;
   #problem = '';
 
   constructor(
@@ -130,8 +131,11 @@ class FolderWatch {
     for (const phase of [0, 1, 2]) await work.runAll(fresh.filter(({ source }) => source.phase === phase));
     if (!this.#scriptIsThere) await copyScript(site, output.say);
     this.#scriptIsThere = true;
-    if (fresh.length === 0) return;
+    // At the start too: another run may have had other options.
+    if (fresh.length === 0 && (this.#wasRolled || state.sources.size === 0)) return;
     await this.#roll(new Set(files.map(({ path }) => join(this.#folder, path))));
+    this.#wasRolled = true;
+    if (fresh.length === 0) return;
     const { done, failed } = work.counts;
     output.say(`${new Date().toISOString()} ${done} made, ${failed} failed`);
   }

@@ -5,6 +5,7 @@ import os
 import shlex
 import shutil
 import signal
+import subprocess
 import sys
 import threading
 
@@ -33,8 +34,11 @@ def main(arguments=None):
     private = args.private or (f"{target.at()}.private" if target.is_local else None)
     if private is None:
         raise SystemExit("got --out of an object store without --private; expected a folder of this machine, which is not for the server")
-    ledger = Ledger(private, json.dumps([__version__, more]))
-    job = Job(source, target, tuple(_find_command(args.prepare)), tuple(more), ledger.secret, args.timeout, args.tmp)
+    command = _find_command(args.prepare)
+    ledger = Ledger(private, json.dumps([__version__, _version_of(command), more]))
+    if args.again:
+        ledger.forget_failed()
+    job = Job(source, target, tuple(command), tuple(more), ledger.secret, args.timeout, args.tmp)
     plan = Plan(batch=args.batch, retries=args.retries)
     try:
         target.remove_unfinished()
@@ -87,6 +91,17 @@ def _find_command(text):
     raise SystemExit("got no volume-view-prepare on the PATH; expected it, or Node, or --prepare with a command")
 
 
+def _version_of(command):
+    """Of the command: another version makes all scans again."""
+    try:
+        answer = subprocess.run([*command, "--version"], capture_output=True, text=True, timeout=300)
+    except (OSError, subprocess.TimeoutExpired):
+        answer = None
+    if answer is None or answer.returncode != 0:
+        raise SystemExit(f"got no answer of {command[0]} --version; expected volume-view-prepare, or --prepare with its command")
+    return answer.stdout.strip()
+
+
 def copy_script(target, player):
     """The element's files, which the pages need; they come from the folder dist of the package volume-view."""
     if player is None:
@@ -136,6 +151,7 @@ def _parser():
     parser.add_argument("--store", default="{}", help='options of the store as JSON: {"endpoint_url": "http://..."}')
     parser.add_argument("--batch", type=_count, default=50, help="scans of a task; 50 by default")
     parser.add_argument("--retries", type=int, default=2, help="how often a scan is tried again, alone, that failed for want of memory, time or a file")
+    parser.add_argument("--again", action="store_true", help="tries again what failed before, though its files have not changed")
     parser.add_argument("--timeout", type=_count, default=3600, help="seconds for a batch")
     parser.add_argument("--tmp", help="a folder of each worker for a batch; the system's by default")
     parser.add_argument("--prepare", help="the command volume-view-prepare, if it is not on the PATH")

@@ -28,6 +28,10 @@ class Ledger:
         outcome = self.outcomes.get(key)
         return outcome is not None and outcome["made"] == self.made
 
+    def forget_failed(self):
+        """What failed is tried again in this run; what comes of it is written down then."""
+        self.outcomes = {key: one for key, one in self.outcomes.items() if one["status"] != "failed"}
+
     def keep(self, outcomes):
         """Writes what became of units. outcomes: of `run_batch`."""
         for one in outcomes:
