@@ -20,7 +20,7 @@ export interface SlopedField {
 
 /** The gradients of a volume on a cartesian grid. */
 export function cartesianSlopes(volume: VolumeData): SlopedField {
-  const { grid } = volume;
+  const { grid, finer } = volume;
   const field = cartesianField({ ...volume, dimensions: grid.dimensions });
-  return { gradient: cartesianGradient(field, grid), isFolded: field.isFolded };
+  return { gradient: cartesianGradient(field, grid, finer), isFolded: field.isFolded };
 }

@@ -1,4 +1,5 @@
 import type { ChannelColors } from './channels.ts';
+import type { FinerVoxels } from './finer-voxels.ts';
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
 import type { IndexedSamples, Rounded, Unkept } from './index-numbers.ts';
@@ -52,6 +53,8 @@ export interface VolumeData {
   readonly unkept?: Unkept;
   /** Set where `samples` is the brightness of several channels: their colours, and their own values. Cartesian only. */
   readonly channels?: ChannelColors;
+  /** Set where finer voxels lie over some places of it: samples are then those of a coarser level of its pyramid. Cartesian only. */
+  readonly finer?: FinerVoxels;
 }
 
 /** One of the series, or of the volumes, in the files that a volume comes from. Nothing of it says whose it is. */

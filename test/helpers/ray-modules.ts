@@ -5,6 +5,7 @@ import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { ambientText } from '../../src/renderer/ray/modules/ambient.ts';
+import { bricksText } from '../../src/renderer/ray/modules/bricks.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
@@ -45,6 +46,8 @@ const cartesian = (webgl2: boolean): RayText[] => [
     bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader })),
   ),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
+  ...(webgl2 ? [bricksText({ twoBytes: true, noData: false, filterInShader: false })] : []),
+  ...(webgl2 ? [bricksText({ twoBytes: false, noData: true, filterInShader: true })] : []),
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
@@ -167,9 +170,11 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
   );
 }
 
+const isCartesian = (field: Level | undefined): boolean => field?.name === 'cartesian' || field?.name === 'bricks';
+
 /** Ambient occlusion needs light, and a cartesian grid. */
 const canBeOccluded = ({ occlusion, light, field }: Row<Level>): boolean =>
-  !occlusion || (light?.name === 'lit' && field?.name === 'cartesian');
+  !occlusion || (light?.name === 'lit' && isCartesian(field));
 
 /**
  * Rays without a second field. Slices occur only on a radar; planes and labels never do. Columns come with their means. Labels hide values
@@ -189,7 +194,7 @@ function listRaysWithout(webgl2: boolean): Row<Level>[] {
       (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) &&
       (points !== null) === (light !== null || gather?.name === 'surfaces' || gather?.name === 'jumps') &&
       (!light || (shows(gather) && !field?.defines.NEAREST && tapsFit(light, field?.name === 'polar'))) &&
-      (gather?.name !== 'jumps' || (field?.name === 'cartesian' && columns !== null)) &&
+      (gather?.name !== 'jumps' || (isCartesian(field) && columns !== null)) &&
       (gather?.name !== 'surfaces' ||
         (!field?.defines.NEAREST &&
           tapsFit(gather, field?.name === 'polar') &&

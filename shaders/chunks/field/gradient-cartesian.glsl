@@ -7,7 +7,18 @@ vec3 growsTowards(vec3 p, vec3 from, vec3 perVoxel) {
   return perVoxel;
 }
 
-#if FILTER_IN_SHADER
+#ifdef BRICKS
+#define TAPS_IN_LOOP
+
+vec3 tapSteps(vec3 from) {
+  findVoxels(from);
+  return 1.0 / voxelScale;
+}
+
+bool tapField(vec3 at, out float stored) {
+  return sampleVolume(at, stored);
+}
+#elif FILTER_IN_SHADER
 #define TAPS_IN_LOOP
 
 vec3 tapSteps(vec3 from) {

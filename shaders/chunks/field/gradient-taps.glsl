@@ -3,6 +3,10 @@
 /// software GL runs it once more for no ray. Twin: optics/rays/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec3 steps = tapSteps(from);
+#ifdef BRICKS
+  // Changes are those from one of the finest voxels to the next, also where voxels are larger.
+  vec3 perTap = voxelScale / FINEST_VOXELS;
+#endif
   vec3 sums = vec3(0.0);
   vec3 counts = vec3(0.0);
   for (int i = 0; i < 6; i++) {
@@ -25,6 +29,9 @@ vec3 changePerVoxel(Sample known, vec3 from) {
     }
     if (i == 5) break;
   }
+#ifdef BRICKS
+  sums *= perTap;
+#endif
   return sums / max(counts, 1.0);
 }
 #endif

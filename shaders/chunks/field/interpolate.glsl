@@ -1,12 +1,19 @@
 /// Stored values below this mean no data: the largest negative float replaces NaN, which shaders need not support.
 #define NO_DATA_BELOW -3.0e38
 
+#ifndef IN_VOXELS
+#define IN_VOXELS(p) (p * uDimensions)
+#define LAST_VOXEL (uDimensions - 1.0)
+#endif
+
 /// Tri-linear interpolation of the eight voxels around a point; p: unit cube; value: stored. False if there is no data.
 /// Twin: optics/rays/interpolate.ts
 bool interpolateVoxels(vec3 p, out float value) {
-  vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
+  vec3 position = IN_VOXELS(p) - 0.5;
+  vec3 last = LAST_VOXEL;
+  position = clamp(position, vec3(0.0), last);
   vec3 low = floor(position);
-  vec3 high = min(low + 1.0, uDimensions - 1.0);
+  vec3 high = min(low + 1.0, last);
   vec3 upper = position - low;
   vec3 lower = 1.0 - upper;
 #if NO_DATA

@@ -7,11 +7,15 @@ bool isBeyond(float value, float known, bool isTop) {
 }
 
 #if KINKS
+#ifndef PLANE_VOXELS
+#define PLANE_VOXELS uDimensions
+#endif
+
 /// Where a way of at most a voxel passes planes of voxel centres, along each axis, as shares of the way; 2 if it passes none.
 /// Twin: optics/rays/ray-field.ts
 vec3 kinksBetween(vec3 from, vec3 to) {
-  vec3 begin = from * uDimensions - 0.5;
-  vec3 way = (to - from) * uDimensions;
+  vec3 begin = from * PLANE_VOXELS - 0.5;
+  vec3 way = (to - from) * PLANE_VOXELS;
   vec3 plane = mix(ceil(begin) - 1.0, floor(begin) + 1.0, step(vec3(0.0), way));
   vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
   vec3 shares = (plane - begin) / safe;

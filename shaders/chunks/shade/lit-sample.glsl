@@ -7,9 +7,13 @@ uniform mat3 uUnitToWorld;
 /// From a direction in which values grow to a world direction.
 uniform mat3 uNormalToWorld;
 
+#ifndef FINEST_VOXELS
+#define FINEST_VOXELS uDimensions
+#endif
+
 /// 0 at a cut and beyond it, 1 from one voxel inside on. Twin: optics/rays/cut-fade.ts, fadeAtCuts
 float fadeAtCuts(vec3 p) {
-  float depth = depthInBox(p * uDimensions, uDimensions);
+  float depth = depthInBox(p * FINEST_VOXELS, FINEST_VOXELS);
 #if LIT_CUTS
   depth = min(depth, depthAtClips(p));
 #endif

@@ -1,3 +1,7 @@
+#ifndef PLANE_VOXELS
+#define PLANE_VOXELS uDimensions
+#endif
+
 /// The planes of voxel centres that a line meets: between two of them, a tri-linear value is a cubic function of the length.
 /// Twin: optics/rays/voxel-planes.ts
 struct PlaneWalk {
@@ -12,9 +16,9 @@ struct PlaneWalk {
 
 /// origin: of the line, in the unit cube; forward: how far a unit of length moves it.
 PlaneWalk enterPlanes(vec3 origin, vec3 forward) {
-  vec3 way = forward * uDimensions;
+  vec3 way = forward * PLANE_VOXELS;
   vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
-  return PlaneWalk(origin * uDimensions - 0.5, 1.0 / safe, 2.0 * step(vec3(0.0), safe) - 1.0, vec3(0.0));
+  return PlaneWalk(origin * PLANE_VOXELS - 0.5, 1.0 / safe, 2.0 * step(vec3(0.0), safe) - 1.0, vec3(0.0));
 }
 
 /// Set the planes ahead for a place of the line.

@@ -1,3 +1,4 @@
+import type { FinerVoxels } from '../../volume/finer-voxels.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { identity, invertAffine, length, transformDirection } from '../../volume/matrix.ts';
@@ -38,20 +39,25 @@ export function differ(
 
 /**
  * The gradient of a field on a cartesian grid. Inside the grid it equals interpolated central differences.
+ * @param finer - where there are finer voxels, taps are as far apart as these, and changes are those from one of the finest to the next
  * Twin: shaders/chunks/field/gradient-cartesian.glsl
  */
-export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientStage {
+export function cartesianGradient(field: FieldStage, coarse: GridFrame, finer?: FinerVoxels): GradientStage {
+  const grid = finer?.finest ?? coarse;
   const toWorld = normalsToWorld(grid);
+  const whole = grid.dimensions.map((n) => 1 / n);
   return (place, known) => {
+    const voxel = finer?.voxelAt(place) ?? whole;
     const tap = (axis: number, side: number): Vector3 => {
-      const by = side / grid.dimensions[axis];
+      const by = side * voxel[axis];
       return [
         axis === 0 ? place[0] + by : place[0],
         axis === 1 ? place[1] + by : place[1],
         axis === 2 ? place[2] + by : place[2],
       ];
     };
-    const perVoxel = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
+    const perTap = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
+    const perVoxel = finer ? (perTap.map((x, axis) => x * (whole[axis] / voxel[axis])) as unknown as Vector3) : perTap;
     return { perVoxel, world: transformDirection(toWorld, perVoxel) };
   };
 }

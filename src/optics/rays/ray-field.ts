@@ -1,3 +1,4 @@
+import type { FinerVoxels } from '../../volume/finer-voxels.ts';
 import { subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/volume.ts';
@@ -17,19 +18,23 @@ export function cartesianField({
   samples,
   dimensions,
   isDiscrete,
+  finer,
   ...scaling
-}: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean }): FieldStage {
-  const kinksAlong = (from: Vector3, to: Vector3): number[] =>
-    meetVoxelPlanes(
-      inVoxels(dimensions, from),
-      subtract(inVoxels(dimensions, to), inVoxels(dimensions, from)),
-      dimensions,
-    );
+}: Scaling & {
+  readonly samples: Samples;
+  readonly dimensions: Vector3;
+  readonly isDiscrete?: boolean;
+  readonly finer?: FinerVoxels;
+}): FieldStage {
+  const kinksAlong = (from: Vector3, to: Vector3): number[] => {
+    const planes = finer?.grid.dimensions ?? dimensions;
+    return meetVoxelPlanes(inVoxels(planes, from), subtract(inVoxels(planes, to), inVoxels(planes, from)), planes);
+  };
   if (isDiscrete)
     return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
   return {
-    ...storedField((place) => interpolate(samples, dimensions, place), scaling),
-    kinksBetween: (from, to) => kinksBetween(dimensions, from, to),
+    ...storedField((place) => finer?.storedAt(place) ?? interpolate(samples, dimensions, place), scaling),
+    kinksBetween: (from, to) => kinksBetween(finer?.grid.dimensions ?? dimensions, from, to),
     kinksAlong,
   };
 }

@@ -202,12 +202,10 @@ export class VolumeLayer {
   }
 
   #providerOf(volume: VolumeData): FieldProvider {
-    const provider = isPolar(volume)
-      ? this.#polar
-      : volume.isDiscrete || volume.channels
-        ? this.#rare
-        : cartesianProvider;
-    if (!provider) throw new TypeError('prepare() was not awaited');
+    const provider =
+      (volume.finer as FieldProvider | undefined) ??
+      (isPolar(volume) ? this.#polar : volume.isDiscrete || volume.channels ? this.#rare : cartesianProvider);
+    if (!provider) throw new TypeError('await prepare()');
     return provider;
   }
 

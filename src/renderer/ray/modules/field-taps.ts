@@ -3,6 +3,7 @@ import cartesianTaps from '../../../../shaders/chunks/field/gradient-cartesian.g
 import { loadPart } from '../../../core/load-part.ts';
 import { normalsToWorld } from '../../../optics/rays/gradient.ts';
 import type { SlopedField } from '../../../optics/shading-twins.ts';
+import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -28,6 +29,6 @@ export const shadingTwins = later(() =>
 export const cartesianTapsOf: FieldTaps = {
   chunk: cartesianTaps,
   uniforms: () => ({}),
-  normals: ({ grid }) => normalsToWorld(grid),
+  normals: (volume) => normalsToWorld(finestGrid(volume)),
   slopes: partOf(shadingTwins, ({ cartesianSlopes }) => cartesianSlopes),
 };

@@ -3,6 +3,7 @@ import type { Cutout, HalfSpace } from '../../../optics/rays/clip-intervals.ts';
 import { changePerVoxel, measureBox } from '../../../optics/rays/cut-fade.ts';
 import type { CutFaces } from '../../../optics/rays/cut-fade.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
+import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -24,10 +25,8 @@ export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
 const far = 1e9;
 
 /** The uniforms of shaders/chunks/shade/lit-cuts.glsl. */
-export function cutUniforms(
-  { halfSpaces, unitToCutout, unitToRegion }: CutFaces,
-  { grid: { dimensions } }: VolumeData,
-): Uniforms {
+export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, volume: VolumeData): Uniforms {
+  const { dimensions } = finestGrid(volume);
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];
     if (!plane) return [0, 0, 0, far];

@@ -17,6 +17,7 @@ import {
 } from '../../../optics/transfer/lights.ts';
 import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.ts';
 import { mapShares } from '../../../optics/transfer/share-map.ts';
+import { finestGrid } from '../../../volume/finer-voxels.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -82,7 +83,7 @@ export function litScene(
   { lights: shining, cuts }: LitSurroundings,
 ): LitScene {
   return {
-    grid: volume.grid,
+    grid: finestGrid(volume),
     gradient: taps.slopes.code(volume).gradient,
     flat: flatChange(domainOf(optics.transferFunction), volume.range),
     lights: placesOnly ? headlightAlone : shining,

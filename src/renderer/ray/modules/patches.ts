@@ -9,6 +9,7 @@ import {
   shortWay,
 } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';
+import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -47,7 +48,7 @@ function patchesTwin(patches: readonly Patch[], options: LitOptions): RayTwin {
     const scene = {
       ...slopes,
       field: slopes,
-      grid: volume.grid,
+      grid: finestGrid(volume),
       patches: lightPatches(patches, lightFactor),
       opticalScale: (rays.diameter / referenceLength) * opacityFactor,
     };
@@ -93,15 +94,12 @@ const farthest = 1e18;
 const flattest = 1e-12;
 
 /** Boxes come first. The unit of gradients is the smallest gradient of any patch, so that float32 loses no digits of small ones. */
-function patchUniforms(
-  { volume: { grid }, domain: [low, high], optics }: RayFrame,
-  patches: readonly Patch[],
-): Uniforms {
+function patchUniforms({ volume, domain: [low, high], optics }: RayFrame, patches: readonly Patch[]): Uniforms {
   const lit = lightPatches(patches, optics.lightFactor);
   const boxes = lit.filter(({ kind }) => kind === 'box');
   const all = [...boxes, ...lit.filter(({ kind }) => kind !== 'box')];
   const width = high - low;
-  const perDomain = perWorldUnit(grid) * width;
+  const perDomain = perWorldUnit(finestGrid(volume)) * width;
   const steepest = Math.max(
     flattest * perDomain,
     Math.min(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1]))),

@@ -15,6 +15,7 @@ import {
   styleRows,
 } from '../../../optics/transfer/volume-styles.ts';
 import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
+import { finestGrid } from '../../../volume/finer-voxels.ts';
 import { isWebGl2 } from '../../device/device.ts';
 import type { Gl } from '../../device/device.ts';
 import { prepareUpload } from '../../textures/fill-texture.ts';
@@ -158,7 +159,7 @@ export class StyledRays {
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,
-      uStyleChange: this.flatPart * perReferenceLength(volume.grid, optics.referenceLength),
+      uStyleChange: this.flatPart * perReferenceLength(finestGrid(volume), optics.referenceLength),
     };
   }
 

@@ -1,0 +1,74 @@
+import { spacingOf, unitToWorld } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { brickSide } from './brick-data.ts';
+import type { BrickLevel } from './brick-data.ts';
+
+/** Voxels of the neighbours at each side of a brick, so that values can be interpolated up to its faces. */
+export const brickHalo = 1;
+
+/** Voxels along each axis of a brick with its halo. */
+export const slotSide = brickSide + 2 * brickHalo;
+
+/** A level of a pyramid over the unit cube of a volume. */
+export interface LevelFrame extends Pick<BrickLevel, 'dimensions' | 'bricks' | 'factors'> {
+  /** Voxels of the level = scale * place + shift; whole numbers are at the faces between voxels. */
+  readonly scale: Vector3;
+  readonly shift: Vector3;
+}
+
+/** Levels that lie as bricks over a volume, finest first, and cells (bricks of the finest level) that say which brick is where. */
+export interface BrickLayout {
+  readonly levels: readonly LevelFrame[];
+  /** Cells along each axis. */
+  readonly cells: Vector3;
+  /** The finest level over the volume's own unit cube. */
+  readonly finest: GridFrame;
+}
+
+/** How far a level's axes may turn away from the volume's, in voxels over its whole length. */
+const maxTurn = 0.25;
+
+/**
+ * Lay bricks over a volume, which is another level of the same pyramid.
+ * @param grid - of the volume
+ * @param levels - finest first
+ * @returns null where that can't be done: a level lies askew over the volume
+ */
+export function layBricks(grid: GridFrame, levels: readonly BrickLevel[]): BrickLayout | null {
+  const frames: LevelFrame[] = [];
+  for (const { dimensions, bricks, factors, indexToWorld } of levels) {
+    const back = invertAffine(indexToWorld);
+    if (!back) return null;
+    const m = multiply(back, unitToWorld(grid));
+    const scale: Vector3 = [m[0], m[5], m[10]];
+    const turned = [m[1], m[2], m[4], m[6], m[8], m[9]];
+    if (turned.some((x) => Math.abs(x) > maxTurn) || scale.some((x) => !(x > 0))) return null;
+    frames.push({ dimensions, bricks, factors, scale, shift: [m[3] + 0.5, m[7] + 0.5, m[11] + 0.5] });
+  }
+  return frames.length === 0 ? null : { levels: frames, cells: frames[0].bricks, finest: gridOfLevel(grid, frames[0]) };
+}
+
+/** A level as a grid over the unit cube of a volume; its voxels need not be whole there. */
+export function gridOfLevel(grid: GridFrame, { scale }: LevelFrame): GridFrame {
+  const each = scale.map((n) => 1 / n) as unknown as Vector3;
+  const middle = each.map((x) => x / 2) as unknown as Vector3;
+  const indexToWorld = multiply(unitToWorld(grid), scaleAndTranslate(each, middle));
+  return { dimensions: scale, indexToWorld, spacing: spacingOf(indexToWorld) };
+}
+
+/** The brick of a level that has a cell. @param cell - its number along each axis */
+export function brickOfCell({ factors, bricks }: LevelFrame, cell: Vector3): Vector3 {
+  return cell.map((n, axis) => Math.min(bricks[axis] - 1, Math.floor(n / factors[axis]))) as unknown as Vector3;
+}
+
+/** The cells that a brick has along each axis: from the first one up to, not including, the last. */
+export function cellsOfBrick({ cells, levels }: BrickLayout, level: number, at: Vector3): readonly [Vector3, Vector3] {
+  const { factors, bricks } = levels[level];
+  const low = at.map((n, axis) => Math.min(cells[axis], n * factors[axis]));
+  const high = at.map((n, axis) =>
+    n === bricks[axis] - 1 ? cells[axis] : Math.min(cells[axis], (n + 1) * factors[axis]),
+  );
+  return [low as unknown as Vector3, high as unknown as Vector3];
+}

@@ -1,0 +1,212 @@
+import { interpolate } from '../optics/rays/interpolate.ts';
+import { cellSize, offLine } from '../volume/cell-size.ts';
+import type { FinerVoxels } from '../volume/finer-voxels.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { Macrocells } from '../volume/macrocells.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { VolumeData } from '../volume/volume.ts';
+import { brickSide } from './brick-data.ts';
+import type { BrickSamples } from './brick-data.ts';
+import { brickHalo, brickOfCell, cellsOfBrick, gridOfLevel, slotSide } from './brick-layout.ts';
+import type { BrickLayout } from './brick-layout.ts';
+import type { Brick } from './pyramid.ts';
+
+/** A brick that rays can read, and the slot that it has. */
+export interface ResidentBrick extends Brick, Omit<BrickSamples, 'hasNoData'> {
+  readonly slot: number;
+}
+
+export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
+  return `${level}/${i}/${j}/${k}`;
+}
+
+const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
+
+/**
+ * Bricks of finer levels over a volume, as rays in float64 read them. Each cell (brick of the finest level) shows the finest brick that is
+ * there. Twin: shaders/chunks/field/bricks-3d.glsl
+ */
+export class ResidentBricks implements FinerVoxels {
+  /** By cell, i fastest: the slot of its brick in three bytes, low byte first; and 1 + the brick's level, or 0 where it has none. */
+  readonly pages: Uint8Array<ArrayBuffer>;
+  /** The volume's own, widened by what bricks have: rays skip nothing that a brick shows. */
+  readonly macrocells: Macrocells;
+  /** Counts changes of `pages`, and of `macrocells`. */
+  readonly changes = { pages: 0, cells: 0 };
+  readonly #bricks = new Map<string, ResidentBrick>();
+  readonly #bySlot: (ResidentBrick | undefined)[] = [];
+  readonly #free: number[] = [];
+  readonly #counts: number[];
+
+  /**
+   * @param volume - over which the bricks lie: it is the level that is always there
+   * @param upload - see `FinerVoxels`
+   */
+  constructor(
+    readonly volume: Pick<VolumeData, 'grid' | 'macrocells'>,
+    readonly layout: BrickLayout,
+    readonly upload: FinerVoxels['upload'],
+  ) {
+    const [cx, cy, cz] = layout.cells;
+    this.pages = new Uint8Array(4 * cx * cy * cz);
+    const { low, high, roughness } = volume.macrocells;
+    this.macrocells = {
+      ...volume.macrocells,
+      low: low.slice(),
+      high: high.slice(),
+      roughness: roughness.slice(),
+    };
+    this.#counts = layout.levels.map(() => 0);
+  }
+
+  get finest(): GridFrame {
+    return this.layout.finest;
+  }
+
+  get grid(): GridFrame {
+    const level = this.#counts.findIndex((count) => count > 0);
+    return level < 0 ? this.volume.grid : gridOfLevel(this.volume.grid, this.layout.levels[level]);
+  }
+
+  /** All bricks, in the order in which they came. */
+  get bricks(): IterableIterator<ResidentBrick> {
+    return this.#bricks.values();
+  }
+
+  get count(): number {
+    return this.#bricks.size;
+  }
+
+  /** Slots that were ever used: the others need no memory. */
+  get slots(): number {
+    return this.#bySlot.length;
+  }
+
+  get(place: Brick): ResidentBrick | undefined {
+    return this.#bricks.get(keyOfBrick(place));
+  }
+
+  inSlot(slot: number): ResidentBrick | undefined {
+    return this.#bySlot[slot];
+  }
+
+  add(place: Brick, values: Omit<BrickSamples, 'hasNoData'>): ResidentBrick {
+    const known = this.get(place);
+    if (known) return known;
+    const slot = this.#free.pop() ?? this.#bySlot.length;
+    const { level, at } = place;
+    const brick = { level, at, ...values, slot };
+    this.#bricks.set(keyOfBrick(brick), brick);
+    this.#bySlot[slot] = brick;
+    this.#counts[level]++;
+    this.#visitCells(brick, (cell) => {
+      const shown = this.pages[4 * cell + 3];
+      if (shown === 0 || shown - 1 > level) this.#show(cell, brick);
+    });
+    this.changes.pages++;
+    this.#widen(brick);
+    return brick;
+  }
+
+  remove(place: Brick): void {
+    const brick = this.get(place);
+    if (!brick) return;
+    this.#bricks.delete(keyOfBrick(brick));
+    this.#bySlot[brick.slot] = undefined;
+    this.#free.push(brick.slot);
+    this.#counts[brick.level]--;
+    this.#visitCells(brick, (cell, at) => {
+      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, this.#coarser(at, brick.level));
+    });
+    this.changes.pages++;
+  }
+
+  /** The level of a cell's brick; the number of levels where the volume itself is shown. */
+  levelOf(cell: number): number {
+    return (this.pages[4 * cell + 3] || this.layout.levels.length + 1) - 1;
+  }
+
+  storedAt(place: Vector3): number | undefined {
+    const brick = this.#brickAt(place);
+    if (!brick) return undefined;
+    const { scale, shift, dimensions } = this.layout.levels[brick.level];
+    // Beyond the outermost voxels' centres values stay as they are there.
+    const inSlot = place.map((x, axis) => {
+      const voxel = Math.min(Math.max(x * scale[axis] + shift[axis], 0.5), dimensions[axis] - 0.5);
+      return (voxel - brickSide * brick.at[axis] + brickHalo) / slotSide;
+    });
+    return interpolate(brick.samples, slotDimensions, inSlot as unknown as Vector3);
+  }
+
+  voxelAt(place: Vector3): Vector3 {
+    const brick = this.#brickAt(place);
+    const voxels = brick ? this.layout.levels[brick.level].scale : this.volume.grid.dimensions;
+    return voxels.map((n) => 1 / n) as unknown as Vector3;
+  }
+
+  /** The number of the cell at a place of the unit cube. */
+  cellAt([x, y, z]: Vector3): number {
+    const {
+      cells: [cx, cy, cz],
+      levels: [{ scale, shift }],
+    } = this.layout;
+    const index = (axis: number, share: number, count: number): number =>
+      Math.min(count - 1, Math.max(0, Math.floor((share * scale[axis] + shift[axis]) / brickSide)));
+    return index(0, x, cx) + cx * (index(1, y, cy) + cy * index(2, z, cz));
+  }
+
+  #brickAt(place: Vector3): ResidentBrick | undefined {
+    const page = 4 * this.cellAt(place);
+    const { pages } = this;
+    if (pages[page + 3] === 0) return undefined;
+    return this.#bySlot[pages[page] + 256 * pages[page + 1] + 65536 * pages[page + 2]];
+  }
+
+  #show(cell: number, brick: ResidentBrick | undefined): void {
+    const slot = brick?.slot ?? 0;
+    this.pages.set([slot & 255, (slot >> 8) & 255, slot >> 16, brick ? brick.level + 1 : 0], 4 * cell);
+  }
+
+  /** The finest brick of the levels beyond one that covers a cell. */
+  #coarser(cell: Vector3, level: number): ResidentBrick | undefined {
+    const { levels } = this.layout;
+    for (let next = level + 1; next < levels.length; next++) {
+      if (this.#counts[next] === 0) continue;
+      const found = this.get({ level: next, at: brickOfCell(levels[next], cell) });
+      if (found) return found;
+    }
+    return undefined;
+  }
+
+  #visitCells({ level, at }: Brick, visit: (cell: number, at: Vector3) => void): void {
+    const { cells } = this.layout;
+    const [low, high] = cellsOfBrick(this.layout, level, at);
+    for (let k = low[2]; k < high[2]; k++)
+      for (let j = low[1]; j < high[1]; j++)
+        for (let i = low[0]; i < high[0]; i++) visit(i + cells[0] * (j + cells[1] * k), [i, j, k]);
+  }
+
+  /** Its values may lie in all macrocells that it touches. They stay there when it goes: then rays only skip less. */
+  #widen({ level, at, low: min, high: max }: ResidentBrick): void {
+    if (!(min <= max)) return;
+    const { dimensions, low, high, roughness } = this.macrocells;
+    const { scale, shift } = this.layout.levels[level];
+    const voxels = this.volume.grid.dimensions;
+    const cellOf = (axis: number, voxel: number): number =>
+      Math.floor(((voxel - shift[axis]) / scale[axis]) * (voxels[axis] / cellSize));
+    const first = at.map((n, axis) => Math.max(0, cellOf(axis, n * brickSide - brickHalo)));
+    const last = at.map((n, axis) => Math.min(dimensions[axis] - 1, cellOf(axis, (n + 1) * brickSide + brickHalo)));
+    let changes = false;
+    for (let k = first[2]; k <= last[2]; k++)
+      for (let j = first[1]; j <= last[1]; j++)
+        for (let i = first[0]; i <= last[0]; i++) {
+          const cell = i + dimensions[0] * (j + dimensions[1] * k);
+          if (low[cell] <= min && high[cell] >= max) continue;
+          changes = true;
+          low[cell] = Math.min(low[cell], min);
+          high[cell] = Math.max(high[cell], max);
+          roughness[cell] = (high[cell] - low[cell]) / offLine;
+        }
+    if (changes) this.changes.cells++;
+  }
+}

@@ -1,0 +1,92 @@
+import { expect } from '@esm-bundle/chai';
+import { layBricks } from '../../../src/bricks/brick-layout.ts';
+import { listBricks } from '../../../src/bricks/pyramid.ts';
+import type { Brick } from '../../../src/bricks/pyramid.ts';
+import { residentSampler } from '../../../src/bricks/resident-field.ts';
+import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
+import { findSeenCells } from '../../../src/optics/cells/seen-cells.ts';
+import { cellSize } from '../../../src/volume/cell-size.ts';
+import { cartesianGrid } from '../../../src/volume/grid.ts';
+import { identity } from '../../../src/volume/matrix.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
+import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
+import { fieldWithHole, randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
+
+const dimensions: Vector3 = [70, 96, 40];
+const random = randomNumbers(3);
+const places = Array.from({ length: 2000 }, (): Vector3 => [random(), random(), random()]);
+
+describe('bricks that are there', () => {
+  for (const kind of ['uint8', 'uint16', 'float32'] as const)
+    it(`give the values of the levels that their cells have: ${kind}`, () => {
+      const whole = syntheticVolume({ dimensions, kind, ...(kind === 'float32' && { field: fieldWithHole }) });
+      const { pyramid, volume } = cutIntoBricks(whole, 3, ({ level, at: [i, j] }) => (level === 0 ? i === 1 : j === 0));
+      const { finer } = volume;
+      const levelOf = Uint8Array.from({ length: finer.pages.length / 4 }, (_, cell) => finer.levelOf(cell));
+      expect([0, 1, 2, 3].filter((level) => levelOf.includes(level))).to.deep.equal([0, 1, 2]);
+      // The volume's own unit cube reaches as far as its last voxel; that of the finest level ends before.
+      const ends = dimensions.map((n, axis) => (4 * volume.grid.dimensions[axis]) / n);
+      const expected = residentSampler(pyramid, levelOf);
+      const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions, slope: 1, intercept: 0 });
+      for (const place of places) {
+        const [x, y, z] = place.map((n, axis) => n * ends[axis]);
+        if (Math.max(x, y, z) > 1) continue;
+        const { value } = field.sampleAt(place);
+        const other = expected(x, y, z);
+        if (Number.isNaN(other)) expect(Number.isNaN(value)).to.equal(true);
+        else expect(value).to.be.closeTo(other, 1e-3 * (1 + Math.abs(other)));
+      }
+    });
+
+  it('go, and the next coarser ones show again; slots are used again', () => {
+    const whole = syntheticVolume({ dimensions });
+    const { layout, pyramid, volume } = cutIntoBricks(whole, 3);
+    const { finer } = volume;
+    const all = [...finer.bricks];
+    const { slots } = finer;
+    expect(finer.count)
+      .to.equal(slots)
+      .and.to.equal(listBricks(pyramid, 0).length + listBricks(pyramid, 1).length);
+    expect(finer.grid.dimensions[0]).to.equal(72); // Of the volume's unit cube: it reaches two voxels beyond the finest level.
+    for (const brick of all) if (brick.level === 0) finer.remove(brick);
+    expect(finer.levelOf(0)).to.equal(1);
+    expect(finer.grid.dimensions[0]).to.equal(36);
+    for (const brick of all) finer.remove(brick);
+    expect([finer.levelOf(0), finer.count]).to.deep.equal([2, 0]);
+    expect(finer.storedAt([0.3, 0.3, 0.3])).to.equal(undefined);
+    expect(finer.grid.dimensions).to.deep.equal(volume.grid.dimensions);
+    const brick: Brick = { level: 0, at: [0, 0, 0] };
+    const again = finer.add(brick, readBrick(pyramid, brick));
+    expect(again.slot).to.be.below(slots);
+    expect([finer.slots, finer.levelOf(0), finer.levelOf(1)]).to.deep.equal([slots, 0, 2]);
+    finer.add({ level: 1, at: [0, 0, 0] }, readBrick(pyramid, { level: 1, at: [0, 0, 0] }));
+    expect([finer.levelOf(0), finer.levelOf(1)], 'a coarser one does not hide a finer one').to.deep.equal([0, 1]);
+    expect(layout.cells).to.deep.equal([3, 3, 2]);
+  });
+
+  it('widen the cells of the volume, so that no ray skips what only a fine level has', () => {
+    const spike = (x: number, y: number, z: number): number => Number(Math.hypot(x - 0.4, y - 0.3, z - 0.6) < 0.012);
+    const whole = syntheticVolume({ dimensions: [64, 64, 64], field: spike });
+    const shows = [(_: number, high: number) => high > 0.9];
+    const before = cutIntoBricks(whole, 2, () => false).volume;
+    const after = cutIntoBricks(whole, 2).volume;
+    const [none, found] = [before, after].map(({ macrocells, ...volume }) => findSeenCells(macrocells, shows, volume));
+    expect(none.includes(1)).to.equal(false);
+    const cells = after.macrocells.dimensions;
+    const at = [0.4, 0.3, 0.6].map((x, axis) => Math.floor((x * after.grid.dimensions[axis]) / cellSize));
+    expect(found[at[0] + cells[0] * (at[1] + cells[1] * at[2])]).to.equal(1);
+    expect(before.finer.volume.macrocells.high.every((high) => high < 255)).to.equal(true);
+  });
+});
+
+describe('the layout of bricks', () => {
+  it('is null where a level lies askew', () => {
+    const grid = cartesianGrid([32, 32, 32], identity);
+    const fine = cartesianGrid([64, 64, 64], [0.5, 0, 0, -0.25, 0, 0.5, 0, -0.25, 0, 0, 0.5, -0.25, 0, 0, 0, 1]);
+    const level = { ...fine, bricks: [2, 2, 2], factors: [1, 1, 1] } as const;
+    expect(layBricks(grid, [level])?.levels[0]).to.deep.include({ scale: [64, 64, 64], shift: [0, 0, 0] });
+    const turned = [0, 0.5, 0, -0.25, 0.5, 0, 0, -0.25, 0, 0, 0.5, -0.25, 0, 0, 0, 1];
+    expect(layBricks(grid, [{ ...level, indexToWorld: turned }])).to.equal(null);
+    expect(layBricks(grid, [])).to.equal(null);
+  });
+});
