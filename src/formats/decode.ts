@@ -45,7 +45,7 @@ export async function decodeFile(
       !isSoundGrid(volume.grid) ||
       !Number.isFinite(volume.intercept / volume.slope + volume.slope)
     ) {
-      (await loadReader(() => import('#rare/formats/base/check-geometry.ts'))).checkGeometry(volume);
+      (await loadReader(() => import('#rare/formats/finish-rare.ts'))).checkGeometry(volume);
     }
     return volume;
   } catch (cause) {

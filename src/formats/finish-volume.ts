@@ -38,11 +38,7 @@ export async function finishVolume(
   clean?: Cleaning,
 ): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse, clean);
-  if (clean !== undefined)
-    throw (await loadCleaning()).refuseCleaning(
-      clean,
-      'a CT, an MRI or another volume of voxels, and not a radar scan',
-    );
+  if (clean !== undefined) throw (await loadRare()).refuseRadar(clean);
   const { outlinePolar, predictPolar } = await loadReader(() => import('#rare/formats/radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
@@ -53,8 +49,7 @@ export async function finishVolume(
 
 /** Samples of float32 times a slope of float64 may be larger than float64 holds. */
 async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
-  if (!Number.isFinite(volume.range[1] - volume.range[0]))
-    (await loadReader(() => import('#rare/formats/base/check-geometry.ts'))).refuseRange(volume);
+  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadRare()).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
@@ -62,11 +57,12 @@ function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
 }
 
 async function finishCartesian(
-  decoded: DecodedCartesianVolume,
+  file: DecodedCartesianVolume,
   limits: DeviceLimits,
   onCoarse?: CoarseListener,
   clean?: Cleaning,
 ): Promise<Volume> {
+  const decoded = file.colors ? (await loadRare()).fitColors(file, limits) : file;
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
@@ -77,9 +73,7 @@ async function finishCartesian(
   const hidden =
     clean === undefined
       ? null
-      : await (
-          await loadCleaning()
-        ).cleanVolume(clean, { ...decoded, ...summary, ...appearance }, { samples, dimensions });
+      : await (await loadRare()).cleanVolume(clean, { ...decoded, ...summary, ...appearance }, { samples, dimensions });
   if (hidden) summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,
@@ -93,10 +87,7 @@ async function finishCartesian(
       decoded.rounded || decoded.unkept || hidden || Math.max(...summary.range.map(Math.abs)) > largestWindow
         ? [
             ...(decoded.left ?? []),
-            ...(await loadReader(() => import('#rare/formats/base/report-numbers.ts'))).reportNumbers(
-              decoded,
-              summary.range,
-            ),
+            ...(await loadRare()).reportNumbers(decoded, summary.range),
             ...(hidden ? [hidden] : []),
           ]
         : decoded.left,
@@ -118,7 +109,7 @@ async function finishCartesian(
   };
 }
 
-const loadCleaning = () => loadReader(() => import('#rare/formats/base/clean-volume.ts'));
+const loadRare = () => loadReader(() => import('#rare/formats/finish-rare.ts'));
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */
 async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {

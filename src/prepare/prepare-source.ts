@@ -87,11 +87,12 @@ export function describeFailure(error: unknown): { readonly code: string; readon
 async function prepareVolume(
   store: ByteStore,
   { first }: Source,
-  { number, series, volume, time }: SourceVolume,
+  { number, series, volume: { channels, ...volume }, time }: SourceVolume,
   { fit, moment, poster: posterSize }: PrepareOptions,
 ): Promise<PreparedVolume> {
   const { format, unit } = volume;
   const left = [
+    ...(channels ? ['the colours: a mosaic holds one number for each voxel, which is their brightness'] : []),
     ...(volume.left ?? []),
     ...(volume.radar?.left ?? []),
     ...(volume.radar?.partial ? [volume.radar.partial] : []),

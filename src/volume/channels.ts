@@ -21,10 +21,12 @@ export interface Channel extends ChannelInfo {
   readonly intercept: number;
 }
 
-/** What makes a volume out of several channels. */
+/** What makes a volume out of several channels, or out of colours: these are the channels R, G and B. */
 export interface ChannelColors {
-  /** For each voxel red, green, blue and brightness, 0..255, on the scale of the volume's samples. */
+  /** For each voxel red, green, blue, and what they are divided by, 0..255: the brightness of channels, or 255 in volumes of colours. */
   readonly colors: Uint8Array<ArrayBuffer>;
+  /** The number of `colors` that is full light. */
+  readonly full: number;
   readonly list: readonly Channel[];
   /** What a page may know of them. */
   readonly infos: readonly ChannelInfo[];
@@ -70,9 +72,34 @@ export function mixChannels(list: readonly Channel[]): MixedChannels {
     colors[4 * i + 1] = Math.round(scale * green);
     colors[4 * i + 2] = Math.round(scale * blue);
   }
-  const infos = list.map(({ number, name, color, window }) => ({ number, name, color, window }));
-  return { samples, slope: largest / 255, colors, list, infos };
+  const infos = list.map(infoOf);
+  return { samples, slope: largest / 255, colors, full: scale, list, infos };
 }
+
+/**
+ * The colours of voxels, as a file has them. What is between voxels has the mean of their colours, and the opacity of its brightness.
+ * @param rgb - red, green and blue of each voxel, 0..255
+ */
+export function keepColors(rgb: Uint8Array): ChannelColors {
+  const length = rgb.length / 3;
+  const colors = new Uint8Array(4 * length);
+  const list = ['R', 'G', 'B'].map((name, c): Channel => ({
+    number: c + 1,
+    name,
+    color: [Number(c === 0), Number(c === 1), Number(c === 2)],
+    window: [0, 255],
+    samples: new Uint8Array(length),
+    slope: 1,
+    intercept: 0,
+  }));
+  for (let i = 0; i < length; i++) {
+    for (let c = 0; c < 3; c++) colors[4 * i + c] = list[c].samples[i] = rgb[3 * i + c];
+    colors[4 * i + 3] = 255;
+  }
+  return { colors, full: 255, list, infos: list.map(infoOf) };
+}
+
+const infoOf = ({ number, name, color, window }: Channel): ChannelInfo => ({ number, name, color, window });
 
 /** The share of its window that a channel has in a voxel, 0..1. */
 function sharesOf({ samples, slope, intercept, window: [low, high] }: Channel): (voxel: number) => number {

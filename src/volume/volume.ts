@@ -51,7 +51,7 @@ export interface VolumeData {
   readonly rounded?: Rounded;
   /** Set where samples can't keep all numbers of a file of floats. */
   readonly unkept?: Unkept;
-  /** Set where `samples` is the brightness of several channels: their colours, and their own values. Cartesian only. */
+  /** Set where `samples` is the brightness of several channels, or of colours: their light, and their own values. Cartesian only. */
   readonly channels?: ChannelColors;
   /** Set where finer voxels lie over some places of it: samples are then those of a coarser level of its pyramid. Cartesian only. */
   readonly finer?: FinerVoxels;

@@ -1,4 +1,5 @@
-import { mixChannels } from '../../src/volume/channels.ts';
+import { lumaOf } from '../../src/formats/base/channels.ts';
+import { keepColors, mixChannels } from '../../src/volume/channels.ts';
 import type { Channel } from '../../src/volume/channels.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
@@ -49,4 +50,32 @@ export function channelVolume(dimensions: Vector3): Volume {
     ...summarize(samples, slope, 0),
     channels,
   };
+}
+
+/** The same fields as the red, green and blue of a file. */
+export function colorVolume(dimensions: Vector3): Volume {
+  const volumes = channelVolumes(dimensions);
+  const { length } = volumes[0].samples;
+  const rgb = Uint8Array.from({ length: 3 * length }, (_, at) => {
+    const { samples, slope, intercept } = volumes[at % 3];
+    return Math.max(0, Math.min(255, Math.round(255 * (slope * samples[Math.floor(at / 3)] + intercept))));
+  });
+  const samples = Uint8Array.from({ length }, (_, i) => lumaOf(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]));
+  const { grid, unit, format } = volumes[0];
+  return {
+    ...{ grid, unit, format, samples, slope: 1, intercept: 0 },
+    macrocells: buildMacrocells(samples, dimensions),
+    ...summarize(samples, 1, 0),
+    channels: keepColors(rgb),
+  };
+}
+
+/** Red, green and blue of each voxel of a volume in colours; undefined for others. */
+export function rgbOf({ channels }: Volume): number[] | undefined {
+  if (!channels) return undefined;
+  const { colors, list } = channels;
+  const rgb = Array.from({ length: (3 * colors.length) / 4 }, (_, at) => colors[4 * Math.floor(at / 3) + (at % 3)]);
+  if (rgb.some((number, at) => list[at % 3].samples[Math.floor(at / 3)] !== number))
+    throw new Error('what is drawn is not what is picked');
+  return rgb;
 }

@@ -10,26 +10,43 @@ export type ChannelUse = 'gray' | 'high-low';
 /** Channels that differ by more than this, of 255, are a colour; by less, what packing has left of gray. */
 const colorStep = 16;
 
+/** Bytes that the colours of a voxel take while a file is read: as they come, as they are drawn, and as values. */
+export const bytesOfColors = 10;
+
+/** @param bytes - of a channel, the highest one first */
+function findColor(data: ArrayLike<number>, channels: number, bytes: number): boolean {
+  for (let at = 0; at < data.length; at += channels * bytes)
+    if (isColor(data[at], data[at + bytes], data[at + 2 * bytes])) return true;
+  return false;
+}
+
+/** Whether some pixels are in colour. @param channels - numbers of a pixel, red first; 2 and fewer are gray */
+export function hasColors(data: ArrayLike<number>, channels: number): boolean {
+  return channels > 2 && findColor(data, channels, 1);
+}
+
+const isColor = (red: number, green: number, blue: number): boolean =>
+  Math.max(Math.abs(red - green), Math.abs(red - blue)) > colorStep;
+
 /**
  * What of an image is lost where it becomes gray: its colours, and that it is transparent in places.
  * @param channels - 2 and 4 have alpha as the last one
  * @param bytes - of a channel, the highest one first
  */
 export function describeLoss(data: Uint8Array | Uint8ClampedArray, channels: number, bytes = 1): string[] {
-  const alpha = channels % 2 === 0 ? (channels - 1) * bytes : 0;
-  let [hasColors, isTransparent] = [false, false];
-  for (let at = 0; at < data.length && !(hasColors && isTransparent); at += channels * bytes) {
-    if (
-      channels > 2 &&
-      Math.max(Math.abs(data[at] - data[at + bytes]), Math.abs(data[at] - data[at + 2 * bytes])) > colorStep
-    )
-      hasColors = true;
-    if (alpha > 0 && data[at + alpha] < 0xff) isTransparent = true;
-  }
+  const isColored = channels > 2 && findColor(data, channels, bytes);
   return [
-    ...(hasColors ? ['the colours of the image: their brightness is shown (luma, Rec. ITU-R BT.709)'] : []),
-    ...(isTransparent ? ['where the image is transparent: its pixels are shown as if they were not'] : []),
+    ...(isColored ? ['the colours of the image: their brightness is shown (luma, Rec. ITU-R BT.709)'] : []),
+    ...describeAlpha(data, channels, bytes),
   ];
+}
+
+/** What of an image is lost where its alpha is left out. The parameters are those of describeLoss. */
+export function describeAlpha(data: Uint8Array | Uint8ClampedArray, channels: number, bytes = 1): string[] {
+  if (channels % 2 === 1) return [];
+  for (let at = (channels - 1) * bytes; at < data.length; at += channels * bytes)
+    if (data[at] < 0xff) return ['where the image is transparent: its pixels are shown as if they were not'];
+  return [];
 }
 
 /** Bring an image whose channels lie together (gray, gray + alpha, RGB, RGBA) to one channel. */

@@ -37,8 +37,12 @@ export async function cleanVolume(
   return `clean hides ${found.parts === 1 ? 'one part that touches' : `${found.parts.toLocaleString('en')} parts that touch`} nothing larger: ${found.voxels.toLocaleString('en')} voxels above ${from}`;
 }
 
+/** For a radar's scan, which has no voxels. */
+export const refuseRadar = (cleaning: Cleaning): Error =>
+  refuseCleaning(cleaning, 'a CT, an MRI or another volume of voxels, and not a radar scan');
+
 /** @param expected - in words */
-export function refuseCleaning(cleaning: Cleaning, expected: string): Error {
+function refuseCleaning(cleaning: Cleaning, expected: string): Error {
   return invalidAttribute('clean', cleaning === 'auto' ? '' : String(cleaning), expected);
 }
 

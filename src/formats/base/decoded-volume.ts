@@ -16,12 +16,22 @@ type Decoded = Omit<
   'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'coarse' | 'isDiscrete' | 'referenceLength'
 >;
 
+/** The colours of a file. */
+export interface FileColors {
+  /** Red, green and blue of each voxel, 0..255. */
+  readonly rgb: Uint8Array<ArrayBuffer>;
+  /** The data values of black and of white. */
+  readonly range: readonly [black: number, white: number];
+}
+
 export type DecodedCartesianVolume = Decoded & {
   readonly grid: CartesianGrid;
   /** Whether the file says that its values are labels: whole numbers that stand for things. */
   readonly isLabels?: boolean;
   /** Whether the file says that its values are the uptake of a tracer, as PET shows it. */
   readonly isUptake?: boolean;
+  /** Of a volume in colours, whose values are their brightness. */
+  readonly colors?: FileColors;
   /** How often each sample occurs, for whole numbers: where the reader has counted them, nothing else does. */
   readonly counts?: Uint32Array<ArrayBuffer>;
   /** NIfTI's intent code: what the values are. */

@@ -1,3 +1,4 @@
+import type { FileColors } from './decoded-volume.ts';
 /** A numeric type of a file, as its samples lie in memory. */
 export interface NumberType {
   readonly name: string;
@@ -14,6 +15,8 @@ export interface NumberType {
    * magnitude. `read` makes one number of colours.
    */
   readonly complex: boolean;
+  /** Of numbers that are made of colours: these, once they were read. */
+  readonly colors?: () => FileColors | undefined;
 }
 
 export type Integers = Uint8Array | Int8Array | Uint16Array | Int16Array | Uint32Array | Int32Array;

@@ -1,4 +1,4 @@
-// Pictures in colours. A volume has one number per voxel: their brightness. Sources: DICOM PS3.3, C.7.6.3.1.2, C.7.6.3.1.3, C.7.6.3.1.5
+// Pictures in colours: their brightness, which are the numbers of a volume, and the colours themselves. Sources: DICOM PS3.3, C.7.6.3.1.2, C.7.6.3.1.3, C.7.6.3.1.5
 import { lumaOf } from '../base/channels.ts';
 import type { DataSet } from './data-set.ts';
 import { tags } from './tags.ts';
@@ -9,11 +9,8 @@ export type Colors =
   | { readonly kind: 'RGB' | 'YBR'; /** Whether all numbers of one kind come first. */ readonly isPlanar: boolean }
   /** Of two pixels: both brightnesses, and two numbers that they share. */
   | { readonly kind: 'YBR pairs' }
-  /** A number of a pixel, minus `first`, is the place of its brightness in the table. */
-  | { readonly kind: 'palette'; readonly first: number; readonly table: Uint8Array };
-
-/** What is lost, in words. */
-export const lostColors = 'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)';
+  /** A number of a pixel, minus `first`, is the place of its brightness, and of its red, green and blue, in the tables. */
+  | { readonly kind: 'palette'; readonly first: number; readonly table: Uint8Array; readonly rgb: Uint8Array };
 
 /** Numbers of a pixel, as they lie in the file. */
 export function samplesPerPixel(colors: Colors | null): number {
@@ -43,11 +40,13 @@ function readPalette(set: DataSet): Colors | null {
   if (!read) return null;
   const { first, entries, entry } = read;
   const table = new Uint8Array(entries);
+  const rgb = new Uint8Array(3 * entries);
   for (let i = 0; i < entries; i++) {
     const [red, green, blue] = entry(i);
     table[i] = lumaOf(red, green, blue);
+    rgb.set([Math.round(red), Math.round(green), Math.round(blue)], 3 * i);
   }
-  return { kind: 'palette', first, table };
+  return { kind: 'palette', first, table, rgb };
 }
 
 /** The colours of a palette, 0 to 1, by number; null where it has none that can be read. */
@@ -85,42 +84,66 @@ function readEntry(
   return bits === 8 ? low : (256 * high + low) / 257;
 }
 
-/** Source: PS3.3, C.7.6.3.1.2, YBR_FULL */
-function lumaOfYbr(y: number, cb: number, cr: number): number {
-  const clamp = (value: number): number => Math.max(0, Math.min(255, Math.round(value)));
-  const red = y + 1.402 * (cr - 128);
-  const green = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
-  return lumaOf(clamp(red), clamp(green), clamp(y + 1.772 * (cb - 128)));
+/** Where a frame's brightness is written, and its colours if they are wanted: red, green and blue of each pixel. */
+export interface ColorTarget {
+  readonly gray: { [at: number]: number; readonly length: number };
+  readonly rgb?: Uint8Array;
 }
 
+/** Writes red, green and blue of a pixel, or what is turned into them. */
+type PixelWriter = (i: number, first: number, second: number, third: number) => void;
+
+const writerOf =
+  ({ gray, rgb }: ColorTarget): PixelWriter =>
+  (i, red, green, blue) => {
+    gray[i] = lumaOf(red, green, blue);
+    if (!rgb) return;
+    rgb[3 * i] = red;
+    rgb[3 * i + 1] = green;
+    rgb[3 * i + 2] = blue;
+  };
+
+const clamp = (value: number): number => Math.max(0, Math.min(255, Math.round(value)));
+
+/** Source: PS3.3, C.7.6.3.1.2, YBR_FULL */
+const turnYbr =
+  (write: PixelWriter): PixelWriter =>
+  (i, y, cb, cr) => {
+    const red = y + 1.402 * (cr - 128);
+    const green = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
+    write(i, clamp(red), clamp(green), clamp(y + 1.772 * (cb - 128)));
+  };
+
 /**
- * The brightness of all pixels.
+ * The colours of all pixels.
  * @param bytes - the numbers of a frame in three colours, as they lie in the file
- * @param gray - to be written
  * @param isTurned - whether the three numbers of a pixel lie together, the first one last
  */
-export function writeLuma(
+export function writeColors(
   bytes: Uint8Array,
   colors: Exclude<Colors, { kind: 'palette' }>,
-  gray: Uint8Array,
+  to: ColorTarget,
   isTurned: boolean,
 ): void {
-  const pixels = gray.length;
+  const pixels = to.gray.length;
+  const write = colors.kind === 'RGB' ? writerOf(to) : turnYbr(writerOf(to));
   if (colors.kind === 'YBR pairs') {
     for (let i = 0, at = 0; i < pixels; i++, at = 4 * (i >> 1))
-      gray[i] = lumaOfYbr(bytes[at + (i & 1)], bytes[at + 2], bytes[at + 3]);
+      write(i, bytes[at + (i & 1)], bytes[at + 2], bytes[at + 3]);
     return;
   }
-  const convert = colors.kind === 'RGB' ? lumaOf : lumaOfYbr;
   const [first, step, apart] = isTurned ? [2, 3, -1] : colors.isPlanar ? [0, 1, pixels] : [0, 3, 1];
   for (let i = 0, at = first; i < pixels; i++, at += step)
-    gray[i] = convert(bytes[at], bytes[at + apart], bytes[at + 2 * apart]);
+    write(i, bytes[at], bytes[at + apart], bytes[at + 2 * apart]);
 }
 
 /** Puts the brightness of the table in the place of each number. */
-export function applyPalette(numbers: { [at: number]: number; readonly length: number }, colors: Colors): void {
+export function applyPalette({ gray: numbers, rgb }: ColorTarget, colors: Colors): void {
   if (colors.kind !== 'palette') return;
   const { first, table } = colors;
-  for (let i = 0; i < numbers.length; i++)
-    numbers[i] = table[Math.max(0, Math.min(table.length - 1, numbers[i] - first))];
+  for (let i = 0; i < numbers.length; i++) {
+    const entry = Math.max(0, Math.min(table.length - 1, numbers[i] - first));
+    numbers[i] = table[entry];
+    rgb?.set(colors.rgb.subarray(3 * entry, 3 * entry + 3), 3 * i);
+  }
 }

@@ -2,8 +2,9 @@
 import type { Budget } from '../base/budget.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
-import { applyPalette, samplesPerPixel, writeLuma } from './colors.ts';
+import { applyPalette, samplesPerPixel, writeColors } from './colors.ts';
 import { isJ2k, noLibraries } from './load-libraries.ts';
+import type { Libraries } from './load-libraries.ts';
 import type { Picture, StoredType } from './picture.ts';
 import type { TransferSyntax } from './transfer-syntax.ts';
 import { unpackRle } from './rle.ts';
@@ -75,12 +76,23 @@ export function frameBytes({ rows, columns, bitsAllocated, colors }: Picture): n
   return (rows * columns * samplesPerPixel(colors) * bitsAllocated) / 8;
 }
 
+export interface DecodeFrameOptions {
+  /** Those that its packing needs. */
+  readonly libraries?: Libraries;
+  /** Where the red, green and blue of each pixel are written, if it is in colours. */
+  readonly rgb?: Uint8Array;
+}
+
 /**
  * The stored numbers of a frame, row by row: not to be changed, as they may be the file's own bytes.
  * @param frame - from 0
- * @param libraries - those that its packing needs
  */
-export function decodeFrame(picture: Picture, frame: number, budget: Budget, libraries = noLibraries): FrameNumbers {
+export function decodeFrame(
+  picture: Picture,
+  frame: number,
+  budget: Budget,
+  { libraries = noLibraries, rgb }: DecodeFrameOptions = {},
+): FrameNumbers {
   const { type, pixels, bitsAllocated, syntax, what, colors } = picture;
   const size = frameBytes(picture);
   const there = viewNumbers(picture, frame * size, budget);
@@ -100,7 +112,8 @@ export function decodeFrame(picture: Picture, frame: number, budget: Budget, lib
     else if (libraries.j2k) bytes.set(unpackJ2k(packed, picture, libraries.j2k));
     const isRgb = syntax.packing === 'JPEG' ? unpackJpegColors(packed, picture, bytes, what) : null;
     // Runs are those of one colour after the other, and the unpacker puts the first one last.
-    writeLuma(bytes, isRgb === null ? colors : { kind: isRgb ? 'RGB' : 'YBR', isPlanar: false }, gray, isRle);
+    const written = isRgb === null ? colors : ({ kind: isRgb ? 'RGB' : 'YBR', isPlanar: false } as const);
+    writeColors(bytes, written, { gray, rgb }, isRle);
     budget.giveBack(taken);
     return gray;
   }
@@ -112,7 +125,7 @@ export function decodeFrame(picture: Picture, frame: number, budget: Budget, lib
   } else if (libraries.j2k && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, libraries.j2k));
   else numbers.set(unpackJpeg(packed, picture, what, libraries.ls));
   if (isTrimmed(picture)) trimBits(numbers, numbers, picture);
-  if (colors) applyPalette(numbers, colors);
+  if (colors) applyPalette({ gray: numbers, rgb }, colors);
   budget.giveBack(taken);
   return numbers;
 }

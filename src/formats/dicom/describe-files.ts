@@ -1,6 +1,5 @@
 import type { CartesianGrid } from '../../volume/grid.ts';
 import type { SeriesInfo } from '../base/scan-data.ts';
-import { lostColors } from './colors.ts';
 import type { Frame } from './frame.ts';
 import type { ChosenFrames } from './group-frames.ts';
 import { modalityOf } from './modality.ts';
@@ -18,7 +17,6 @@ export function describeFiles({ frames, left }: ChosenFrames, anatomical: boolea
           'WARNING: the file says that words are written into its pixels (BurnedInAnnotation), which may be a name: look before you show it to others',
         ]
       : []),
-    ...(picture.colors ? [lostColors] : []),
     ...left,
     ...ofWindows,
   ];

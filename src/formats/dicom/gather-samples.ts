@@ -1,5 +1,6 @@
 // The numbers of all slices, in one array.
 import type { Budget } from '../base/budget.ts';
+import { bytesOfColors } from '../base/channels.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import type { ReadContext } from '../base/format.ts';
 import { numberTypes } from '../base/number-types.ts';
@@ -22,6 +23,8 @@ export interface Gathered {
   /** Value = slope * number + intercept. */
   readonly slope: number;
   readonly intercept: number;
+  /** Where the pictures are in colours: red, green and blue of each pixel, 0 where a slice is not there. */
+  readonly rgb?: Uint8Array<ArrayBuffer>;
   /** Where the numbers have 16 bits, and are all that they were in the files. */
   readonly counts?: NumberCounts;
   /** What of the slices is not there, in words. */
@@ -70,6 +73,7 @@ export async function gatherSamples(
   // Files on a server count for the budget when they come.
   let next = await coming.next();
   let all = allocate(type, [columns, rows, slices.length], budget);
+  const rgb = areInColors(frames) ? allocateColors(all.length, budget) : undefined;
   const counts = new NumberCounts();
   /** Only floats have a number for no data. */
   const needFloats = (): void => {
@@ -89,7 +93,13 @@ export async function gatherSamples(
     const start = k * pixels;
     // Tiles of a mosaic share their picture.
     if (last?.frame.picture !== frame.picture || last.frame.index !== frame.index)
-      last = { frame, numbers: decodeFrame(frame.picture, frame.index, budget, libraries) };
+      last = {
+        frame,
+        numbers: decodeFrame(frame.picture, frame.index, budget, {
+          libraries,
+          rgb: rgb?.subarray(3 * start, 3 * (start + pixels)),
+        }),
+      };
     const numbers = cutTile(last.numbers, frame);
     const { slope, intercept } = frame;
     if (scale) {
@@ -139,8 +149,14 @@ export async function gatherSamples(
     budget.giveBack(all.byteLength);
     all = made;
   }
+  let colors = rgb;
+  if (rgb && resample) {
+    colors = allocateColors(all.length, budget);
+    resampleSlices(rgb, colors, 3 * pixels, resample);
+    budget.giveBack(bytesOfColors * (rgb.length / 3));
+  }
   const isCounted = scale && (type === 'int16' || type === 'uint16');
-  return { type, numbers: all, ...kept, counts: isCounted ? counts : undefined, left: damage.describe() };
+  return { type, numbers: all, ...kept, rgb: colors, counts: isCounted ? counts : undefined, left: damage.describe() };
 }
 
 /** Frames whose files are damaged. */
@@ -191,6 +207,15 @@ function allocate(type: StoredType, lengths: readonly [number, number, number], 
   return new arrayOf[type](lengths[0] * lengths[1] * lengths[2]);
 }
 
+/** Whether the colours of all frames are known. Tiles, which share a picture, are not in colours. */
+export const areInColors = (frames: readonly Frame[]): boolean =>
+  frames.every(({ picture, columns, rows }) => picture.colors && columns === picture.columns && rows === picture.rows);
+
+function allocateColors(voxels: number, budget: Budget): Uint8Array<ArrayBuffer> {
+  budget.take(bytesOfColors * voxels, 'the colours of the DICOM series');
+  return new Uint8Array(3 * voxels);
+}
+
 /** The scale that all frames have, with the same type of numbers; null where they differ. */
 function findScale(frames: readonly Frame[]): { readonly slope: number; readonly intercept: number } | null {
   const [first] = frames;
@@ -230,16 +255,16 @@ export function cutTile(numbers: FrameNumbers, { columns, rows, corner: [i, j], 
   return tile;
 }
 
-/** Where one of two slices has no data, the value between them is that of the nearer one. */
-function resampleSlices(from: FrameNumbers, to: FrameNumbers, pixels: number, places: readonly number[]): void {
+/** Where one of two slices has no data, the value between them is that of the nearer one. @param numbers - of a slice */
+function resampleSlices(from: FrameNumbers, to: FrameNumbers, numbers: number, places: readonly number[]): void {
   for (const [k, place] of places.entries()) {
     const below = Math.floor(place);
     const share = place - below;
-    for (let i = 0; i < pixels; i++) {
-      const low = from[below * pixels + i];
-      const high = share === 0 ? low : from[(below + 1) * pixels + i];
+    for (let i = 0; i < numbers; i++) {
+      const low = from[below * numbers + i];
+      const high = share === 0 ? low : from[(below + 1) * numbers + i];
       const isWhole = low === low && high === high;
-      to[k * pixels + i] = isWhole ? low + share * (high - low) : share < 0.5 ? low : high;
+      to[k * numbers + i] = isWhole ? low + share * (high - low) : share < 0.5 ? low : high;
     }
   }
 }

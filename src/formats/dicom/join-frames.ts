@@ -8,7 +8,7 @@ import type { SeriesInfo } from '../base/scan-data.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { chooseFirst, coarsenGrid, cutCoarsePart } from './coarse-part.ts';
 import { describeFiles } from './describe-files.ts';
-import { gatherSamples } from './gather-samples.ts';
+import { areInColors, gatherSamples } from './gather-samples.ts';
 import type { Gathered } from './gather-samples.ts';
 import type { ChosenFrames } from './group-frames.ts';
 import { storeCounted } from './number-counts.ts';
@@ -41,8 +41,8 @@ export async function joinFrames(
       : describeFiles({ frames, left: all }, stack.anatomical, grid);
   };
   const gathered = await gatherSamples(stack, context, {
-    // Slices that are computed between others need all of them.
-    first: folder && !stack.resample ? chooseFirst(slices) : [],
+    // Slices that are computed between others need all of them; without colours the first picture would have another look.
+    first: folder && !stack.resample && !areInColors(frames) ? chooseFirst(slices) : [],
     onFirst: async (some) => {
       const numbers = cutCoarsePart(some, grid.dimensions);
       const part = placeVolume(await storeNumbers(describe(), { ...some, numbers }, context), settings);
@@ -55,14 +55,24 @@ export async function joinFrames(
 /** The numbers as samples. */
 async function storeNumbers(
   info: SeriesInfo,
-  { type, numbers, slope, intercept, counts }: Omit<Gathered, 'left'>,
+  { type, numbers, slope, intercept, rgb, counts }: Omit<Gathered, 'left'>,
   { budget }: Pick<ReadContext, 'budget'>,
 ): Promise<DecodedCartesianVolume> {
+  const colors: Pick<DecodedCartesianVolume, 'colors'> = rgb
+    ? { colors: { rgb, range: [intercept, 255 * slope + intercept] } }
+    : {};
   const counted =
     counts && (numbers instanceof Int16Array || numbers instanceof Uint16Array) ? storeCounted(numbers, counts) : null;
   if (counted) {
     const { samples, offset } = counted;
-    return { ...info, samples, slope, intercept: slope * offset + intercept, counts: counted.counts };
+    return {
+      ...info,
+      samples,
+      slope,
+      intercept: slope * offset + intercept,
+      counts: counted.counts,
+      ...colors,
+    };
   }
   const stored = storeSamples(new Uint8Array(numbers.buffer as ArrayBuffer), numberTypes[type], hostIsLittleEndian, {
     slope,
@@ -78,5 +88,6 @@ async function storeNumbers(
     intercept: slope * stored.offset + intercept,
     ...(isAsStored ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unkept: stored.unkept,
+    ...colors,
   };
 }

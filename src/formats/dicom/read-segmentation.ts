@@ -66,7 +66,7 @@ export async function readSegmentation(
     const labelOf = chooseLabels(picture, id, fractions);
     const slices = placed.slicesOf(frame);
     budget.step(pixels / 8, what);
-    const numbers = isBits ? cutBits(picture, frame.index) : decodeFrame(picture, frame.index, budget, libraries);
+    const numbers = isBits ? cutBits(picture, frame.index) : decodeFrame(picture, frame.index, budget, { libraries });
     for (let p = 0; p < pixels; p++) {
       const label = labelOf(numbers[p]);
       if (label > 0) for (const k of slices) painter.paint(k * pixels + p, label);

@@ -3,14 +3,31 @@ import { lumaOf } from '../base/channels.ts';
 import { floats, hostIsLittleEndian, niftiTypes, viewAs } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 
-/** Colours of 8 bits: their brightness. nifti1.h: scl_slope and scl_inter do not belong to them. */
-const colors = (name: string, channels: number): NumberType => ({
-  name,
-  bytesPerSample: channels,
-  bytesPerNumber: 1,
-  read: { kind: 'integers', view: (bytes) => toBrightness(bytes, channels) },
-  complex: true,
-});
+/** Colours of 8 bits: their numbers are their brightness. nifti1.h: scl_slope and scl_inter do not belong to them. */
+function colors(name: string, channels: number): NumberType {
+  let rgb: Uint8Array<ArrayBuffer> | undefined;
+  return {
+    name,
+    bytesPerSample: channels,
+    bytesPerNumber: 1,
+    read: {
+      kind: 'integers',
+      view(bytes) {
+        rgb = copyColors(bytes, channels);
+        return toBrightness(bytes, channels);
+      },
+    },
+    complex: true,
+    colors: () => rgb && { rgb, range: [0, 255] },
+  };
+}
+
+/** Red, green and blue of each voxel. */
+function copyColors(bytes: Uint8Array, channels: number): Uint8Array<ArrayBuffer> {
+  const rgb = new Uint8Array((3 * bytes.length) / channels);
+  for (let at = 0; at < rgb.length; at++) rgb[at] = bytes[Math.floor(at / 3) * channels + (at % 3)];
+  return rgb;
+}
 
 /** Writes over the bytes, and keeps the part that is then in use. */
 function toBrightness(bytes: Uint8Array<ArrayBuffer>, channels: number): Uint8Array<ArrayBuffer> {
@@ -19,16 +36,23 @@ function toBrightness(bytes: Uint8Array<ArrayBuffer>, channels: number): Uint8Ar
   return bytes.slice(0, count);
 }
 
-/** What of a type's numbers is not shown, in words. */
-export function describeLost({ name }: Pick<NumberType, 'name' | 'complex'>): string {
-  if (!name.startsWith('RGB')) return 'the phase of complex numbers, whose magnitudes are shown';
-  return `the colours of the voxels${name === 'RGBA' ? ', and where they are transparent' : ''}: their brightness is shown (luma, Rec. ITU-R BT.709)`;
+/** Numbers of a voxel in colours; 0 for other types. */
+export const colorsOf = ({ name }: Pick<NumberType, 'name'>): number => (/^RGBA?$/.test(name) ? name.length : 0);
+
+/** What of a type's numbers is not shown, in words; null if nothing is lost. */
+export function describeLost(type: Pick<NumberType, 'name' | 'complex'>): string | null {
+  if (colorsOf(type) === 4) return 'where the voxels are transparent: they are shown as if they were not';
+  return type.complex && colorsOf(type) === 0 ? 'the phase of complex numbers, whose magnitudes are shown' : null;
 }
+
+/** Types of colours by their codes: each file has one of its own, which keeps its colours. */
+const colorTypes: ReadonlyMap<number, readonly [name: string, channels: number]> = new Map([
+  [128, ['RGB', 3]],
+  [2304, ['RGBA', 4]],
+]);
 
 /** NIfTI's datatype codes that few files have. Source: nifti1.h. */
 const rareTypes: ReadonlyMap<number, NumberType> = new Map([
-  [128, colors('RGB', 3)],
-  [2304, colors('RGBA', 4)],
   [32, floats('complex64', 4, viewAs(Float32Array), true)],
   [1536, floats('float128', 16, readBinary128)],
   [1792, floats('complex128', 8, viewAs(Float64Array), true)],
@@ -45,12 +69,14 @@ const refusedTypes: ReadonlyMap<number, string> = new Map([
  * `format/corrupt`
  */
 export function readRareType(code: number): NumberType {
+  const inColors = colorTypes.get(code);
+  if (inColors) return colors(...inColors);
   const type = rareTypes.get(code);
   if (type) return type;
   const refused = refusedTypes.get(code);
   if (refused)
     throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
-  const known = [...niftiTypes.keys(), ...rareTypes.keys()];
+  const known = [...niftiTypes.keys(), ...rareTypes.keys(), ...colorTypes.keys()];
   known.sort((a, b) => a - b);
   throw new VolumeViewError(
     'format/corrupt',

@@ -1,5 +1,6 @@
 // Of NIfTI files, what only those of several volumes, or of several numbers a voxel, need.
 import { cartesianGrid } from '../../volume/grid.ts';
+import { bytesOfColors } from '../base/channels.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { listLeft } from '../base/list-left.ts';
 import type { NumberType } from '../base/number-types.ts';
@@ -35,10 +36,7 @@ function describeFirst(header: NiftiHeader, type: NumberType): Pick<DecodedCarte
 }
 
 function listOmitted(numbers: number, type: NumberType): (string | null)[] {
-  return [
-    numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null,
-    type.complex ? describeLost(type) : null,
-  ];
+  return [numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null, describeLost(type)];
 }
 
 /**
@@ -55,6 +53,7 @@ export async function openScans(
   const { dimensions, volumes, numbers } = readDimensions(header);
   const [, , , , times = 1] = header.dim.slice(0, 1 + header.dim[0]);
   const count = numbers > 1 ? times : volumes;
+  if (type.colors) budget.take((bytesOfColors * bytes) / type.bytesPerSample, 'the colours of the NIfTI file');
   const [input, settings, context] = scans ?? [];
   if (!settings?.scan || !input || !context || context.isPart) return describeFirst(header, type);
   if (!scanTypes.has(type.name) || !(count > 1)) return describeFirst(header, type);

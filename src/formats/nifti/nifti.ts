@@ -106,6 +106,7 @@ async function readVolume(
     intent: header.intent,
     ...readWindow(header),
     ...more,
+    colors: type.colors?.(),
   };
 }
 

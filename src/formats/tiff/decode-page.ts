@@ -1,7 +1,8 @@
 // The numbers of a page.
-import { combineChannels, describeLoss, lumaOf } from '../base/channels.ts';
+import { bytesOfColors, combineChannels, describeAlpha, describeLoss, lumaOf } from '../base/channels.ts';
 import { corruptFile } from '../base/file-problem.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
+import { hostIsLittleEndian } from '../base/number-types.ts';
 import { readHalfFloats } from '../npy/half-floats.ts';
 import { tags, what } from './tiff-file.ts';
 import type { TiffFile } from './tiff-file.ts';
@@ -16,15 +17,41 @@ export interface PageUse {
   readonly left: Set<string>;
 }
 
+export interface PageTarget {
+  /** One number for each pixel: `pageBytes` long, in this machine's byte order. */
+  readonly numbers: Uint8Array;
+  /** The red, green and blue of each pixel, 0 to 255, where they are wanted. */
+  readonly rgb?: Uint8Array;
+}
+
+/** Whether a page has colours that are shown. */
+const isInColors = ({ colors, samples }: TiffPage, { isRaw }: PageUse): boolean =>
+  (colors === 'RGB' && samples <= 4) || (colors === 'palette' && !isRaw);
+
+/** Room for the colours of a number of pages; undefined where they have none. @throws {VolumeViewError} `format/too-large` */
+export function allocateColors(
+  { file: { budget }, page, use }: { file: TiffFile; page: TiffPage; use: PageUse },
+  pages: number,
+): Uint8Array<ArrayBuffer> | undefined {
+  if (!isInColors(page, use)) return undefined;
+  const pixels = page.columns * page.rows * pages;
+  budget.take(bytesOfColors * pixels, 'the colours of the TIFF file');
+  return new Uint8Array(3 * pixels);
+}
+
+/** The brightness of white. */
+export const whiteOf = ({ colors, type }: TiffPage): number =>
+  colors === 'RGB' && type.bytesPerSample === 2 ? 0xffff : 0xff;
+
 /** Bytes of the numbers that are made of a page. @throws {VolumeViewError} `format/too-large` */
 export const pageBytes = ({ columns, rows, type }: TiffPage): number => countSampleBytes(what, [columns, rows], type);
 
 /**
  * Reads one number for each pixel.
- * @param out - `pageBytes` long; in this machine's byte order
+ * @param to - where they are written
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function decodePage(file: TiffFile, page: TiffPage, out: Uint8Array<ArrayBuffer>, use: PageUse): void {
+export function decodePage(file: TiffFile, page: TiffPage, to: PageTarget, use: PageUse): void {
   const { columns, rows, bits, samples, colors, isPlanar, blockColumns, blockRows } = page;
   const step = isPlanar ? 1 : samples;
   const planes = isPlanar && colors === 'RGB' ? 3 : 1;
@@ -37,7 +64,7 @@ export function decodePage(file: TiffFile, page: TiffPage, out: Uint8Array<Array
   const taken = 6 * planes * planeBytes;
   file.budget.take(taken, 'a piece of a page');
   const blocks = Array.from({ length: planes }, () => new Uint8Array(planeBytes));
-  const write = makeWriter(file, page, out, use);
+  const write = makeWriter(file, page, to, use);
   for (let block = 0; block < across * down; block++) {
     const [left, top] = [(block % across) * blockColumns, Math.floor(block / across) * blockRows];
     const height = Math.min(blockRows, rows - top);
@@ -88,10 +115,11 @@ interface BlockPlace {
 type Writer = (blocks: readonly Uint8Array<ArrayBuffer>[], place: BlockPlace) => void;
 
 /** What writes the numbers of a piece to their places. */
-function makeWriter(file: TiffFile, page: TiffPage, out: Uint8Array<ArrayBuffer>, use: PageUse): Writer {
+function makeWriter(file: TiffFile, page: TiffPage, to: PageTarget, use: PageUse): Writer {
   const { columns, bits, samples, isPlanar, blockColumns, type } = page;
   const size = type.bytesPerSample;
-  const convert = makeConverter(file, page, use);
+  const convert = makeConverter(file, page, { ...use, keepsColors: to.rgb !== undefined });
+  const colorsOf = to.rgb && readColors(file, page);
   const toOne = (blocks: readonly Uint8Array<ArrayBuffer>[]): Uint8Array => {
     const numbers =
       bits < 8 ? spreadBits(blocks[0], page) : bits === 16 && size === 4 ? toFloats(blocks[0]) : blocks[0];
@@ -101,8 +129,13 @@ function makeWriter(file: TiffFile, page: TiffPage, out: Uint8Array<ArrayBuffer>
     const numbers = toOne(blocks);
     for (let y = 0; y < height; y++) {
       const start = y * blockColumns * size;
-      out.set(numbers.subarray(start, start + width * size), ((top + y) * columns + left) * size);
+      to.numbers.set(numbers.subarray(start, start + width * size), ((top + y) * columns + left) * size);
     }
+    if (!to.rgb || !colorsOf) return;
+    const colorAt = colorsOf(bits < 8 ? [spreadBits(blocks[0], page)] : blocks);
+    for (let y = 0; y < height; y++)
+      for (let x = 0; x < width; x++)
+        for (let c = 0; c < 3; c++) to.rgb[3 * ((top + y) * columns + left + x) + c] = colorAt(y * blockColumns + x, c);
   };
 }
 
@@ -138,7 +171,11 @@ function spreadBits(
 type Converter = (blocks: readonly Uint8Array<ArrayBuffer>[]) => Uint8Array;
 
 /** What makes brightness of a piece; null where its numbers stand as they are. */
-function makeConverter(file: TiffFile, page: TiffPage, { isRaw, left }: PageUse): Converter | null {
+function makeConverter(
+  file: TiffFile,
+  page: TiffPage,
+  { isRaw, left, keepsColors }: PageUse & { readonly keepsColors: boolean },
+): Converter | null {
   const { colors, samples, isPlanar, isInverted, type, bits } = page;
   const isWide = type.bytesPerSample === 2;
   const view = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> =>
@@ -151,9 +188,11 @@ function makeConverter(file: TiffFile, page: TiffPage, { isRaw, left }: PageUse)
       const channels = isPlanar ? 3 : samples;
       // The highest byte of a number is enough to know colours from gray.
       if (channels <= 4)
-        describeLoss(isWide ? numbers.subarray(1) : numbers, channels, type.bytesPerSample).forEach((one) =>
-          left.add(one),
-        );
+        (keepsColors ? describeAlpha : describeLoss)(
+          isWide ? numbers.subarray(1) : numbers,
+          channels,
+          type.bytesPerSample,
+        ).forEach((one) => left.add(one));
       return bytesOf(combineChannels(view(numbers), channels, 'gray'));
     };
   if (colors === 'palette') {
@@ -161,8 +200,9 @@ function makeConverter(file: TiffFile, page: TiffPage, { isRaw, left }: PageUse)
       left.add('the table of colours of the pages, which only gives them a look: their numbers are shown');
       return null;
     }
-    const table = readPalette(file, page);
-    left.add('the colours of the pages: their brightness is shown (luma, Rec. ITU-R BT.709)');
+    const colorOf = readPalette(file, page);
+    const table = Uint8Array.from({ length: 2 ** bits }, (_, i) => lumaOf(colorOf(i, 0), colorOf(i, 1), colorOf(i, 2)));
+    if (!keepsColors) left.add('the colours of the pages: their brightness is shown (luma, Rec. ITU-R BT.709)');
     return ([bytes]) => {
       const numbers = view(bytes);
       return bytesOf(numbers.map((number) => table[number] ?? 0));
@@ -178,17 +218,36 @@ function makeConverter(file: TiffFile, page: TiffPage, { isRaw, left }: PageUse)
     );
 }
 
-/** The brightness of each entry, 0 to 255. Source: TIFF 6.0, ColorMap: all reds come first, of 16 bits */
-function readPalette(file: TiffFile, { directory, bits }: TiffPage): Uint8Array {
+/** The red, green and blue of a pixel of a piece, 0 to 255. @param blocks - a byte for each number below 8 bits */
+function readColors(
+  file: TiffFile,
+  page: TiffPage,
+): (blocks: readonly Uint8Array<ArrayBuffer>[]) => (pixel: number, c: number) => number {
+  const { colors, samples, isPlanar, type } = page;
+  const size = type.bytesPerSample;
+  // Of numbers of 16 bits the high byte.
+  const high = hostIsLittleEndian ? size - 1 : 0;
+  if (colors !== 'palette')
+    return (blocks) =>
+      isPlanar
+        ? (pixel, c) => blocks[c][pixel * size + high]
+        : (pixel, c) => blocks[0][(pixel * samples + c) * size + high];
+  const colorOf = readPalette(file, page);
+  return ([bytes]) => {
+    const numbers = size === 2 ? new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2) : bytes;
+    return (pixel, c) => Math.round(colorOf(numbers[pixel], c));
+  };
+}
+
+/** Red, green and blue of an entry, 0 to 255. Source: TIFF 6.0, ColorMap: all reds come first, of 16 bits */
+function readPalette(file: TiffFile, { directory, bits }: TiffPage): (entry: number, c: number) => number {
   const entries = 2 ** bits;
   const map = file.numbers(directory, tags.colorMap);
   if (map.length < 3 * entries)
     throw corruptFile(what, `got a table of ${map.length} numbers for its colours; expected ${3 * entries}`);
   // Some programs write numbers of 8 bits.
   const unit = map.some((number) => number > 255) ? 257 : 1;
-  return Uint8Array.from({ length: entries }, (_, i) =>
-    lumaOf(map[i] / unit, map[entries + i] / unit, map[2 * entries + i] / unit),
-  );
+  return (entry, c) => map[c * entries + entry] / unit;
 }
 
 function interleave(blocks: readonly Uint8Array<ArrayBuffer>[], size: number): Uint8Array<ArrayBuffer> {

@@ -14,7 +14,7 @@ import { isGzip } from '../codecs/gunzip.ts';
 import { countKept, describeKept } from '../series/keep-volumes.ts';
 import { openSeries } from '../series/open-series.ts';
 import { timeText } from '../series/scan-times.ts';
-import { decodePage, pageBytes } from './decode-page.ts';
+import { allocateColors, decodePage, pageBytes, whiteOf } from './decode-page.ts';
 import { openTiff } from './open-tiff.ts';
 import type { TiffStack } from './open-tiff.ts';
 import { what } from './tiff-file.ts';
@@ -31,15 +31,19 @@ export const readTiff: FormatReader = async (input, settings, context) => {
   const stack = await open(input.bytes);
   if (stack.layout.times > 1 && context.further.length === 0 && settings.scan && !context.isPart)
     return placeVolume(await openTimes(stack, settings, context), settings);
-  const parts = [decodeTime(stack, 0, context)];
+  const parts = [decodeTime(stack, 0, context, true)];
   for await (const { bytes, url } of context.fetchFiles(context.further)) {
     const next = await open(bytes);
     checkLike(stack, next, nameOf(url));
-    parts.push(decodeTime(next, 0, context));
+    parts.push(decodeTime(next, 0, context, true));
     next.use.left.forEach((one) => stack.use.left.add(one));
   }
   const { type } = stack.page;
-  const bytes = join(parts, context);
+  const bytes = join(
+    parts.map((part) => part.bytes),
+    context,
+  );
+  const colors = parts.flatMap(({ rgb }) => rgb ?? []);
   const stored = storeSamples(bytes, type, hostIsLittleEndian, {
     slope: 1,
     intercept: 0,
@@ -58,6 +62,9 @@ export const readTiff: FormatReader = async (input, settings, context) => {
       indexed: stored.indexed,
       rounded: stored.rounded,
       unkept: stored.unkept,
+      ...(colors.length === parts.length && {
+        colors: { rgb: join(colors, context), range: [0, whiteOf(stack.page)] },
+      }),
     },
     settings,
   );
@@ -87,12 +94,20 @@ function listOmitted({ layout, use, page }: TiffStack): (string | null)[] {
 /** Steps for each slice, in addition to those of its pixels. */
 const stepsPerSlice = 64;
 
+/** The numbers of all slices of a time, and their red, green and blue. */
+interface TimeNumbers {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly rgb?: Uint8Array<ArrayBuffer>;
+}
+
 /** All slices of a time; those that the file does not have are an error. The bytes stay taken from the budget. */
 function decodeTime(
-  { file, pages, layout, page, readPageAt, use }: TiffStack,
+  stack: TiffStack,
   time: number,
   { budget, onProgress }: ReadContext,
-): Uint8Array<ArrayBuffer> {
+  keepsColors = false,
+): TimeNumbers {
+  const { file, pages, layout, page, readPageAt, use } = stack;
   const size = pageBytes(page);
   const all = countSampleBytes(what, [page.columns, page.rows, layout.slices], page.type);
   budget.step(layout.slices * stepsPerSlice, 'the slices of the TIFF file');
@@ -105,11 +120,17 @@ function decodeTime(
     );
   budget.take(all, what);
   const bytes = new Uint8Array(all);
+  const pixels = page.columns * page.rows;
+  const rgb = keepsColors ? allocateColors(stack, layout.slices) : undefined;
   for (let k = 0; k < layout.slices; k++) {
     onProgress(k, layout.slices);
-    decodePage(file, readPageAt(layout.pageOf(k, time)!), bytes.subarray(k * size, (k + 1) * size), use);
+    const to = {
+      numbers: bytes.subarray(k * size, (k + 1) * size),
+      rgb: rgb?.subarray(3 * k * pixels, 3 * (k + 1) * pixels),
+    };
+    decodePage(file, readPageAt(layout.pageOf(k, time)!), to, use);
   }
-  return bytes;
+  return { bytes, rgb };
 }
 
 function checkLike({ page }: TiffStack, { page: next }: TiffStack, name: string): void {
@@ -144,8 +165,7 @@ async function openTimes(
   const kept = countKept({ bytes, count: layout.times }, budget);
   const volumes: Blob[] = [];
   for (let time = 0; time < kept; time++) {
-    const numbers = decodeTime(stack, time, context);
-    volumes.push(new Blob([numbers]));
+    volumes.push(new Blob([decodeTime(stack, time, context).bytes]));
   }
   const left = listLeft(1, describeKept(kept, layout.times), ...listOmitted(stack));
   return openSeries(

@@ -1,7 +1,7 @@
 // Several channels as colours: the GPU's picture against the twin's, with labels and with a layer over it.
 import { expect } from '@esm-bundle/chai';
 import { compareWithTwin } from '../../helpers/compare-with-twin.ts';
-import { channelVolume } from '../../helpers/channels.ts';
+import { channelVolume, colorVolume } from '../../helpers/channels.ts';
 import { askew, overlayOf, waves } from '../../helpers/overlays.ts';
 import { comparePictures, drawPicture, plainOptics, shareScene } from '../../helpers/picture.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
@@ -36,6 +36,20 @@ for (const version of [2, 1] as const)
         { value: 0.8, color: [0.4, 1, 1], opacity: 0.9 },
       ] as const;
       compareWithTwin(scene(), { ...view, optics: { ...optics, transferFunction } }, 'channels with a jump');
+    });
+
+    it('of a file look as their twin says, and not gray', async () => {
+      const colored = colorVolume([24, 20, 16]);
+      await scene().prepare(colored);
+      const transferFunction = [
+        { value: 0, color: [1, 1, 1], opacity: 0 },
+        { value: 255, color: [1, 1, 1], opacity: 0.6 },
+      ] as const;
+      const inColors = { ...viewFromAbove(colored, { optics }), optics: { ...optics, transferFunction } };
+      const got = compareWithTwin(scene(), inColors, `colours, WebGL ${version}`);
+      const { channels: _, ...plain } = colored;
+      expect(comparePictures(got, drawPicture(scene(), { ...inColors, volume: plain })).worst).to.be.above(60);
+      await scene().prepare(volume);
     });
 
     it('are under a layer as any volume is', async () => {

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { decode } from 'fast-png';
 import { prepareChosen } from '../../../src/prepare/prepare-chosen.ts';
-import { ctSlice, dicomBytes } from '../../helpers/dicom-bytes.ts';
+import { ctSlice, dicomBytes, pixelFields } from '../../helpers/dicom-bytes.ts';
 import { dicomHead, dicomSecret } from '../../helpers/dicom-head.ts';
 
 const asFiles = (files: Readonly<Record<string, Uint8Array>>): File[] =>
@@ -44,6 +44,20 @@ describe('a volume of chosen files', () => {
       const made = await prepareChosen(files, { series, scan: 0 });
       expect('report' in made && made.report.dimensions).to.deep.equal([4, 3, slices]);
     }
+  });
+
+  it('colours become their brightness, and the report says so', async () => {
+    const colored = {
+      ...pixelFields(new Uint8Array(12)),
+      SamplesPerPixel: [3],
+      PhotometricInterpretation: 'RGB',
+      PlanarConfiguration: [0],
+      PixelData: Uint8Array.from({ length: 36 }, (_, at) => (at % 3 === 0 ? 200 : at)),
+    };
+    const made = await prepareChosen(asFiles({ 'a.dcm': dicomBytes(ctSlice(0, colored)) }), first);
+    expect('report' in made && made.report.left).to.deep.equal([
+      'the colours: a mosaic holds one number for each voxel, which is their brightness',
+    ]);
   });
 
   it('what can not be read is said in words, without a name', async () => {

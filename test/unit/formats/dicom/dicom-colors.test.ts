@@ -1,4 +1,6 @@
 import { expect } from '@esm-bundle/chai';
+import { lumaOf } from '../../../../src/formats/base/channels.ts';
+import { rgbOf } from '../../../helpers/channels.ts';
 import { ctSlice, dicomBytes, packRle, pixelFields, syntaxes } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
@@ -13,6 +15,11 @@ const rgb = Uint8Array.from([
 ]);
 /** That of the same bytes as YBR_FULL: NumPy, of what convert_color_space of pydicom 3.0.2 makes of them. */
 const ofYbr = [203, 59, 213, 37, 173, 36, 36, 86, 100, 147, 145, 70];
+/** The same as RGB: what convert_color_space of pydicom 3.0.2 makes of them. */
+const rgbOfYbr = [
+  91, 255, 17, 168, 33, 0, 57, 255, 255, 0, 52, 0, 73, 205, 148, 124, 0, 127, 0, 51, 0, 106, 63, 255, 166, 83, 75, 234,
+  136, 1, 255, 101, 255, 125, 61, 0,
+];
 const planesOf = (bytes: Uint8Array): Uint8Array<ArrayBuffer> =>
   Uint8Array.from([0, 1, 2].flatMap((plane) => [...bytes.filter((_byte, i) => i % 3 === plane)]));
 
@@ -55,7 +62,9 @@ const palette = (bits: number): DicomFields => ({
 });
 /** Of the entries 0 to 3: numbers below 10 have the first one, those above 13 the last one. */
 const ofTable = [179, 139, 98, 58];
-const ofPalette = [0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 1].map((entry) => ofTable[entry]);
+const entries = [0, 0, 0, 0, 0, 0, 1, 2, 3, 3, 3, 1];
+const rgbOfPalette = entries.flatMap((i) => [80 * i, 240 - 80 * i, 100]);
+const ofPalette = entries.map((entry) => ofTable[entry]);
 
 /** Two pixels share their colours: Y, Y, Cb, Cr. */
 const pairs = Uint8Array.from(
@@ -65,37 +74,41 @@ const pairs = Uint8Array.from(
 const ofRgb = colorsInJ2k.luma;
 
 describe('DICOM in colours', () => {
-  const cases: Readonly<Record<string, readonly [fields: DicomFields, form: DicomForm, values: readonly number[]]>> = {
-    RGB: [inColors('RGB', rgb), {}, ofRgb],
-    'RGB in planes': [inColors('RGB', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofRgb],
+  const cases: Readonly<
+    Record<string, readonly [fields: DicomFields, form: DicomForm, values: readonly number[], rgb: readonly number[]]>
+  > = {
+    RGB: [inColors('RGB', rgb), {}, ofRgb, [...rgb]],
+    'RGB in planes': [inColors('RGB', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofRgb, [...rgb]],
     'RGB in runs': [
       inColors('RGB', rgb, { PlanarConfiguration: [1] }),
       { syntax: syntaxes.rle, fragments: [packColors(rgb)] },
       ofRgb,
+      [...rgb],
     ],
     'YBR_RCT in JPEG 2000': [
       inColors('YBR_RCT', rgb),
       { syntax: '1.2.840.10008.1.2.4.90', fragments: [colorsInJ2k.stream] },
       ofRgb,
+      [...rgb],
     ],
-    YBR_FULL: [inColors('YBR_FULL', rgb), {}, ofYbr],
-    'YBR_FULL in planes': [inColors('YBR_FULL', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofYbr],
-    'a palette of 8 bits': [inColors('PALETTE COLOR', indices, palette(8)), {}, ofPalette],
-    'a palette of 16 bits': [inColors('PALETTE COLOR', indices, palette(16)), {}, ofPalette],
+    YBR_FULL: [inColors('YBR_FULL', rgb), {}, ofYbr, rgbOfYbr],
+    'YBR_FULL in planes': [inColors('YBR_FULL', planesOf(rgb), { PlanarConfiguration: [1] }), {}, ofYbr, rgbOfYbr],
+    'a palette of 8 bits': [inColors('PALETTE COLOR', indices, palette(8)), {}, ofPalette, rgbOfPalette],
+    'a palette of 16 bits': [inColors('PALETTE COLOR', indices, palette(16)), {}, ofPalette, rgbOfPalette],
     'a palette in runs': [
       inColors('PALETTE COLOR', indices, palette(16)),
       { syntax: syntaxes.rle, fragments: [packRle(indices)] },
       ofPalette,
+      rgbOfPalette,
     ],
   };
-  for (const [name, [fields, form, values]] of Object.entries(cases)) {
-    it(`${name} are shown by their brightness, which is said`, async () => {
+  for (const [name, [fields, form, values, colors]] of Object.entries(cases)) {
+    it(`${name} are shown, with their brightness as values`, async () => {
       const volume = await decodeFields([fields], form);
       expect(valuesOf(volume)).to.deep.equal(values);
+      expect(rgbOf(volume)).to.deep.equal(colors);
       expect(volume.unit).to.equal('');
-      expect(volume.left).to.deep.equal([
-        'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)',
-      ]);
+      expect(volume.left).to.equal(undefined);
     });
   }
 
@@ -109,15 +122,17 @@ describe('DICOM in colours', () => {
   };
 
   for (const one of jpegColorStreams)
-    it(`packed with JPEG, ${one.name}, are shown by their brightness, as pydicom reads them`, async () => {
+    it(`packed with JPEG, ${one.name}, are shown, with the brightness that pydicom reads`, async () => {
       const volume = await decodeJpeg(one);
       const apart = valuesOf(volume).map((value, i) => Math.abs(value - one.values[i]));
       // Decoders may round the sum of cosines of each of three numbers up or down: pydicom's own two decoders are up to 2 apart.
       expect(Math.max(...apart)).to.be.at.most(2);
       expect(apart.reduce((sum, value) => sum + value, 0) / apart.length).to.be.below(0.25);
-      expect(volume.left).to.deep.equal([
-        'the colours of the pictures: their brightness is shown (luma, Rec. ITU-R BT.709)',
-      ]);
+      const rgb = rgbOf(volume)!;
+      valuesOf(volume).forEach((value, i) =>
+        expect(lumaOf(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])).to.equal(value),
+      );
+      expect(volume.left).to.equal(undefined);
     });
 
   it('packed with JPEG that are damaged give a volume or an error in words', async () => {

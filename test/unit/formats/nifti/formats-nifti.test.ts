@@ -1,3 +1,4 @@
+import { rgbOf } from '../../../helpers/channels.ts';
 import { expect } from '@esm-bundle/chai';
 import { unzlibSync } from 'fflate';
 import { windowFromHistogram } from '../../../../src/optics/transfer/window.ts';
@@ -59,14 +60,19 @@ const colors = {
 
 describe('NIfTI colours', () => {
   for (const [name, { bytes, values }] of Object.entries(colors))
-    it(`are shown by their brightness, and that is said: ${name}`, async () => {
+    it(`are shown, with their brightness as values: ${name}`, async () => {
       const file = unzlibSync(Uint8Array.from(atob(bytes), (sign) => sign.charCodeAt(0)));
       const volume = await decodeBytes(file, 'x.nii');
       expect(valuesOf(volume)).to.deep.equal(values);
       expect(volume.samples).to.be.instanceOf(Uint8Array);
       expect(volume.grid.spacing).to.deep.equal([2, 3, 4]);
-      expect(volume.left?.[0]).to.match(/^the colours of the voxels.*: their brightness is shown/);
-      expect(volume.left?.[0].includes('transparent')).to.equal(name === 'RGBA');
+      // The numbers follow the header of 352 bytes.
+      const rgb = [...file.subarray(352)].filter((_, at) => name === 'RGB' || at % 4 < 3);
+      expect(rgbOf(volume)).to.deep.equal(rgb);
+      expect(volume.window).to.deep.equal([0, 255]);
+      expect(volume.left).to.deep.equal(
+        name === 'RGBA' ? ['where the voxels are transparent: they are shown as if they were not'] : undefined,
+      );
     });
 });
 

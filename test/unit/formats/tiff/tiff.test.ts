@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { axialIndexToWorld } from '../../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import { rgbOf } from '../../../helpers/channels.ts';
 import { decodeBytes } from '../../../helpers/decode.ts';
 import { compareValues, readExpected } from '../../../helpers/expected-file.ts';
 import type { ExpectedFile } from '../../../helpers/expected-file.ts';
@@ -12,6 +13,8 @@ interface TiffFixture extends ExpectedFile {
   /** Millimetres; absent where the file says none. */
   readonly spacing?: Vector3;
   readonly left?: readonly string[];
+  /** Red, green and blue of each voxel; absent where the file is gray. */
+  readonly rgb?: readonly number[];
 }
 
 const fixtures = await readExpected<TiffFixture>('tiff-fixtures.json');
@@ -31,6 +34,7 @@ describe('TIFF files, against tifffile', () => {
       axialIndexToWorld(dimensions, file.spacing ?? [1, 1, 1]).forEach((value, i) =>
         expect(indexToWorld[i], `affine[${i}]`).to.be.closeTo(value, 1e-12),
       );
+      expect(rgbOf(volume), 'colours').to.deep.equal(file.rgb);
       expect(volume.format).to.match(
         file.path.startsWith('ome') ? /^OME-TIFF/ : file.path.startsWith('imagej') ? /^ImageJ TIFF/ : /^TIFF$/,
       );

@@ -20,7 +20,7 @@ const channel = (more: Partial<Channel> = {}): Channel => ({
 });
 const volumeOf = (...list: Channel[]) => ({
   ...syntheticVolume({ dimensions }),
-  channels: { list, infos: list, colors: new Uint8Array(240) },
+  channels: { list, infos: list, colors: new Uint8Array(240), full: 255 },
 });
 
 describe('the channels of a picked place', () => {
