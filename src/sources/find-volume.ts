@@ -162,7 +162,7 @@ async function isManifest(store: ByteStore, url: string): Promise<boolean> {
   try {
     const { bytes } = await store.read(url);
     const value = JSON.parse(new TextDecoder().decode(bytes)) as object;
-    return ['image', 'files', 'scans'].some((name) => Object.hasOwn(value, name));
+    return ['image', 'video', 'files', 'scans'].some((name) => Object.hasOwn(value, name));
   } catch (cause) {
     if (cause instanceof SyntaxError) return true;
     throw cause;

@@ -15,6 +15,7 @@ import { png } from './grammars/png.ts';
 import { rainbow } from './grammars/rainbow.ts';
 import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
 import { tiff } from './grammars/tiff.ts';
+import { video } from './grammars/video.ts';
 import { bricks, zarr } from './grammars/zarr.ts';
 import { zstd } from './grammars/zstd.ts';
 
@@ -48,5 +49,6 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   'server-list': serverList,
   mixture,
   manifest,
+  video,
   attributes,
 };

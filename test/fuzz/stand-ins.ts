@@ -1,7 +1,7 @@
 import { noteNative } from './count-memory.ts';
 
-// Node has no decoder of pictures and no canvas. Here is what a browser would make of a JPEG or a WebP, as far as the package can
-// see it: a picture of the size that the header says, all gray, and the memory that it takes. So what is tested is what the
+// Node has no decoder of pictures and videos, and no canvas. Here is what a browser would make of a JPEG, a WebP or a frame of VP9, as far as
+// the package can see it: a picture of the size that the header says, all gray, and the memory that it takes. So what is tested is what the
 // package itself does before and after; the browsers' decoders are not.
 
 interface Size {
@@ -39,8 +39,88 @@ class Canvas {
   }
 }
 
+/** A frame of a video: gray, of the size that its start says. */
+class Frame {
+  readonly format = 'I420';
+  readonly visibleRect: Size;
+  readonly #bytes: number;
+
+  constructor(
+    readonly timestamp: number,
+    { width, height }: Size,
+  ) {
+    this.visibleRect = { width, height };
+    this.#bytes = width * height + 2 * Math.ceil(width / 2) * Math.ceil(height / 2);
+    noteNative(this.#bytes);
+  }
+
+  allocationSize(): number {
+    return this.#bytes;
+  }
+
+  async copyTo(to: Uint8Array): Promise<{ offset: number; stride: number }[]> {
+    const { width, height } = this.visibleRect;
+    to.fill(99, 0, width * height);
+    return [{ offset: 0, stride: width }];
+  }
+
+  close(): void {
+    noteNative(-this.#bytes);
+  }
+}
+
+interface Chunk {
+  readonly type: 'key' | 'delta';
+  readonly timestamp: number;
+  readonly data: Uint8Array;
+}
+
+/** As WebCodecs has it: one frame for each chunk, and an error for a chunk that is none of VP9, or before which there is no whole frame. */
+class Decoder {
+  state = 'unconfigured';
+  decodeQueueSize = 0;
+  #size: Size | null = null;
+
+  constructor(readonly callbacks: { output: (frame: Frame) => void; error: (error: Error) => void }) {}
+
+  static async isConfigSupported({ codec }: { codec: string }): Promise<{ supported: boolean }> {
+    return { supported: codec.startsWith('vp09') };
+  }
+
+  configure(): void {
+    this.state = 'configured';
+  }
+
+  addEventListener(): void {}
+
+  decode({ type, timestamp, data }: Chunk): void {
+    if (type === 'key') this.#size = findVp9Size(data);
+    if (this.#size && data.length > 0) this.callbacks.output(new Frame(timestamp, this.#size));
+    else this.callbacks.error(new DOMException('the chunk can not be decoded', 'EncodingError'));
+  }
+
+  async flush(): Promise<void> {}
+
+  close(): void {
+    this.state = 'closed';
+  }
+}
+
+/** Of a frame that can be decoded by itself. Source: VP9 bitstream specification 0.6, 6.2 */
+function findVp9Size(bytes: Uint8Array): Size | null {
+  if (bytes.length < 9 || bytes[0] !== 0x82 || bytes[1] !== 0x49 || bytes[2] !== 0x83 || bytes[3] !== 0x42) return null;
+  const bits =
+    (bytes[4] & 15) * 2 ** 28 + bytes[5] * 2 ** 20 + bytes[6] * 2 ** 12 + bytes[7] * 2 ** 4 + (bytes[8] >> 4);
+  return { width: 1 + Math.floor(bits / 2 ** 16), height: 1 + (bits % 2 ** 16) };
+}
+
 export function installStandIns(): void {
   Object.assign(globalThis, {
+    VideoDecoder: Decoder,
+    // `new` gives the chunk itself.
+    EncodedVideoChunk: function chunkOf(chunk: Chunk) {
+      return chunk;
+    },
     OffscreenCanvas: Canvas,
     createImageBitmap: async (blob: Blob) => {
       const bytes = new Uint8Array(await blob.arrayBuffer());

@@ -20,6 +20,19 @@ const local = (files: readonly unknown[], isStack = false): Promise<OpenedFiles>
 const fileOf = async (fixture: string, name = fixture.replace(/.*\//, '')): Promise<File> =>
   new File([await fetchFixture(fixture)], name);
 
+describe('a manifest among chosen files', () => {
+  it('is the volume, whatever it names: an image, a video, files or scans', async () => {
+    const named = { image: 'a.png', video: 'a.webm', files: ['a.dcm'], scans: [{ image: 'a.png' }] };
+    for (const [name, value] of Object.entries(named)) {
+      const manifest = new File([JSON.stringify({ title: 'x', [name]: value })], 'scan.json');
+      const other = new File([new Uint8Array(40)], 'a.webm');
+      const { first, files } = await local([manifest, other]);
+      expect(new URL(first).pathname, name).to.match(/json$/);
+      expect(files).to.equal(undefined);
+    }
+  });
+});
+
 describe('the volume of an archive', () => {
   for (const [name, path] of [
     ['one', 'study/scan.nii'],
