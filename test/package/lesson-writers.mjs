@@ -10,6 +10,7 @@ import { unzipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { startLrs } from '../helpers/lrs.mjs';
 import { check, finish } from './checks.mjs';
 import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
@@ -99,9 +100,9 @@ await check('what is refused is said in words, with its line, and nothing is wri
       [],
       /got no title[^]*got no language[^]*got no licence[^]*got no credits/,
     ],
-    [body, ['--as', 'film'], /got --as film; expected page, single-file, embed, scorm, scorm-2004, h5p/],
+    [body, ['--as', 'film'], /got --as film; expected page, single-file, embed, scorm, scorm-2004, cmi5, h5p/],
     [body, ['--as', 'scorm', '--pass', '0'], /got --pass 0; expected a whole number from 1 to 100/],
-    [body, ['--pass', '50'], /expected it with --as scorm/],
+    [body, ['--pass', '50'], /expected it with --as scorm or --as cmi5/],
     [
       body,
       ['--title', 'x', '--language', 'en', '--licence', 'y', '--credits', 'z', '--out', 'scans'],
@@ -241,6 +242,57 @@ for (const version of ['1.2', '2004']) {
     },
   );
 }
+
+await check('cmi5: the record store gets what the learner does, and a second visit goes on', async () => {
+  const { status, stderr } = run('lesson.html', '--as', 'cmi5', '--pass', '50', '--out', 'third.zip');
+  assert.equal(status, 0, stderr);
+  served.third = serve(unpack('third.zip'));
+  const lrs = await startLrs();
+  const until = async (/** @type {string[]} */ verbs) => {
+    for (let i = 0; i < 100 && lrs.verbs().length < verbs.length; i++)
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    assert.deepEqual(lrs.verbs(), verbs);
+  };
+  const visit = async () => {
+    const opened = await newPage();
+    await opened.page.goto(`${origin}/third/index.html${lrs.launch}`);
+    return opened;
+  };
+
+  const first = await visit();
+  assert.equal(difference(await pictureOf(first.page), asPage), 0, 'the picture is that of the page');
+  await first.page.getByRole('button', { name: 'Next' }).click();
+  await first.page.getByRole('heading', { name: 'Second' }).waitFor();
+  await first.page.getByText('B, or C').last().click();
+  await first.page.getByRole('button', { name: 'Answer' }).click();
+  await first.page.locator('#tissue').getByText('Right.').first().waitFor();
+  await first.page.goto('about:blank');
+  await until(['initialized', 'answered', 'terminated']);
+  await first.page.context().close();
+
+  lrs.again();
+  const second = await visit();
+  await second.page.getByRole('heading', { name: 'Second' }).waitFor();
+  await second.page.locator('#tissue').getByText('Right.').first().waitFor();
+  await second.page.getByRole('button', { name: 'Next' }).click();
+  await second.page.getByRole('textbox').fill('7');
+  await second.page.getByRole('button', { name: 'Answer' }).click();
+  await until(['initialized', 'answered', 'completed', 'passed']);
+  assert.equal(lrs.statements.at(-1).result.score.scaled, 0.5);
+  await second.page.goto('about:blank');
+  await until(['initialized', 'answered', 'completed', 'passed', 'terminated']);
+  assert.deepEqual(lrs.broken, []);
+  // The record store is another server. It has no preferences of the learner, and no state at first, which the browser notes.
+  const isOfStore = (/** @type {string} */ problem) =>
+    problem.includes(lrs.origin) || problem.includes('status of 404');
+  assert.deepEqual(
+    [...first.problems, ...second.problems].filter((problem) => !isOfStore(problem)),
+    [],
+  );
+  await second.page.context().close();
+  lrs.close();
+  return `${lrs.asked.length} requests`;
+});
 
 await check('the manifests are well-formed XML, whatever titles, licences and credits say', async () => {
   const { module: writers } = await runnerImport(join(projectRoot, 'packages/lesson-writers/src/index.ts'), {

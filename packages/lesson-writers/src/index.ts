@@ -9,6 +9,8 @@ export type { EmbedOptions } from './write-embed.ts';
 export { writeH5pFiles } from './write-h5p.ts';
 export { writePageFiles } from './write-page.ts';
 export { largeFile, writeSingleFile } from './write-single-file.ts';
+export { writeCmi5Files } from './write-cmi5.ts';
+export type { Cmi5Options } from './write-cmi5.ts';
 export { writeScormFiles } from './write-scorm.ts';
 export type { ScormOptions } from './write-scorm.ts';
 export type { ScormVersion } from './scorm-manifest.ts';

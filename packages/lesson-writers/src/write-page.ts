@@ -22,6 +22,23 @@ export const playerScript = 'volume-view.iife.js';
 const policy =
   "default-src 'self' data: blob:; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'";
 
+/**
+ * The end of the head of a page with the element's own files next to it.
+ * @param connect - where its scripts may send something to; the page's own files where undefined
+ * @param script - whether the element is loaded at once
+ */
+export function writeHead({
+  connect,
+  script = true,
+}: {
+  readonly connect?: string;
+  readonly script?: boolean;
+}): string {
+  const whole = connect ? `${policy}; connect-src ${connect}` : policy;
+  const tag = script ? `<script src="${playerFolder}${playerScript}"></script>\n` : '';
+  return `<meta http-equiv="Content-Security-Policy" content="${whole}">\n<link rel="stylesheet" href="${playerFolder}volume-view.css">\n<link rel="stylesheet" href="lesson.css">\n${tag}`;
+}
+
 /** The longest title, licence or credits. */
 const maxText = 2000;
 
@@ -41,7 +58,7 @@ export const folderForm: PageForm = {
   addressOf: writeAddress,
   linksLeave: false,
   leftOut: [],
-  head: `<meta http-equiv="Content-Security-Policy" content="${policy}">\n<link rel="stylesheet" href="${playerFolder}volume-view.css">\n<link rel="stylesheet" href="lesson.css">\n<script src="${playerFolder}${playerScript}"></script>\n`,
+  head: writeHead({}),
   end: '',
 };
 

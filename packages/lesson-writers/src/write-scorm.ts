@@ -1,6 +1,6 @@
 import course from './course.js?raw';
 import type { Lesson, LessonFile, Player } from './lesson.ts';
-import { LessonError } from './lesson.ts';
+import { checkPass, nameLesson } from './name-lesson.ts';
 import { writeManifest } from './scorm-manifest.ts';
 import type { ScormVersion } from './scorm-manifest.ts';
 import { encode, sortFiles, writePageFiles } from './write-page.ts';
@@ -16,8 +16,7 @@ export interface ScormOptions {
  * @throws {LessonError} where something in the lesson is refused
  */
 export function writeScormFiles(lesson: Lesson, player: Player, { version, pass }: ScormOptions): LessonFile[] {
-  if (pass !== null && !(pass >= 1 && pass <= 100))
-    throw new LessonError([{ message: `got ${pass} to pass; expected a number from 1 to 100`, line: null }]);
+  checkPass(pass);
   const passed = pass === null ? '' : ` data-pass="${pass}"`;
   const files = writePageFiles(lesson, player, {
     linksLeave: true,
@@ -31,15 +30,4 @@ export function writeScormFiles(lesson: Lesson, player: Player, { version, pass 
     ...files,
     { path: 'imsmanifest.xml', bytes: encode(writeManifest(lesson, paths, { version, pass, id: nameLesson(files) })) },
   ]);
-}
-
-/** An id that the same files always have: their FNV-1a hash of 32 bits, and the number of their bytes. */
-function nameLesson(files: readonly LessonFile[]): string {
-  let [hash, count] = [0x811c9dc5, 0];
-  for (const { path, bytes } of files)
-    for (const part of [encode(path), bytes]) {
-      for (const byte of part) hash = Math.imul(hash ^ byte, 0x01000193);
-      count += part.length;
-    }
-  return `lesson-${(hash >>> 0).toString(16).padStart(8, '0')}-${count}`;
 }

@@ -22,7 +22,7 @@ volume-view-prepare FILE --as page [--alt TEXT] [--out NAME]
     a page NAME.html with the file inside, which works from disk beside volume-view.iife.js
 volume-view-prepare FILE --as ome-zarr [--out NAME]
     each volume of the file as an OME-Zarr, the folder NAME.ome.zarr: levels of detail in small pieces, of which a page loads what it shows
-volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
+volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | cmi5 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
     a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
 volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--memory MEGABYTES] [--timeout SECONDS]
     a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout
@@ -183,8 +183,8 @@ async function writeCourse(path: string, { as = 'page', pass, address, out, ...w
   const { lessonForms, writeLesson } = await import('./write-lesson.ts');
   const form = lessonForms.find((one) => one === as);
   if (!form) throw new Misuse(`got --as ${as}; expected ${lessonForms.join(', ')}`);
-  if (pass !== undefined && !form.startsWith('scorm'))
-    throw new Misuse(`got --pass for a ${form}; expected it with --as scorm`);
+  if (pass !== undefined && !form.startsWith('scorm') && form !== 'cmi5')
+    throw new Misuse(`got --pass for a ${form}; expected it with --as scorm or --as cmi5`);
   if (address !== undefined && form !== 'embed')
     throw new Misuse(`got --address for a ${form}; expected it with --as embed`);
   const percent = pass === undefined ? null : readCount('pass', pass, [1, 100]);

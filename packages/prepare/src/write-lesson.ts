@@ -8,6 +8,7 @@ import {
   largeFile,
   listManifestFiles,
   readLesson,
+  writeCmi5Files,
   writeEmbedFiles,
   writeH5pFiles,
   writePageFiles,
@@ -26,7 +27,7 @@ export interface LessonWords {
   readonly credits?: string;
 }
 
-export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'h5p'] as const;
+export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'cmi5', 'h5p'] as const;
 
 /** What a lesson becomes: a folder, one page, or an archive. */
 export type LessonForm = (typeof lessonForms)[number];
@@ -79,6 +80,7 @@ const endings: Readonly<Record<LessonForm, string>> = {
   embed: '-embed',
   scorm: '.zip',
   'scorm-2004': '.zip',
+  cmi5: '-cmi5.zip',
   h5p: '.h5p',
 };
 
@@ -91,6 +93,7 @@ function makeFiles(
   if (as === 'embed') return writeEmbedFiles(lesson, player, { address });
   if (as === 'single-file') return writeSingleFile(lesson, player);
   if (as === 'h5p') return writeH5pFiles(lesson, player);
+  if (as === 'cmi5') return writeCmi5Files(lesson, player, { pass });
   return writeScormFiles(lesson, player, { version: as === 'scorm' ? '1.2' : '2004', pass });
 }
 

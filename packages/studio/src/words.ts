@@ -209,6 +209,7 @@ export const english = {
     ],
     scorm: ['SCORM 1.2', 'A package for Moodle, ILIAS, Canvas and others. Take this one if you do not know.'],
     'scorm-2004': ['SCORM 2004', 'The same in the newer format.'],
+    cmi5: ['cmi5', 'The same for systems that keep what learners do in a learning record store (xAPI).'],
     h5p: ['H5P', 'A package for sites with H5P: Moodle, WordPress, Drupal and others.'],
   } as Readonly<Record<string, readonly [string, string]>>,
   format: 'Format',

@@ -19,10 +19,10 @@ const data: LessonData = {
     { path: 'volume.png', bytes: image },
   ],
 };
-const kinds: readonly ExportKind[] = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'h5p'];
+const kinds: readonly ExportKind[] = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'cmi5', 'h5p'];
 const optionsOf = (kind: ExportKind): ExportOptions => ({
   kind,
-  pass: kind.startsWith('scorm') ? 60 : null,
+  pass: kind.startsWith('scorm') || kind === 'cmi5' ? 60 : null,
   address: 'https://example.org/head/',
   poster: kind === 'embed' ? { path: 'poster.png', bytes: image } : null,
 });

@@ -4,6 +4,7 @@ import type { Zippable } from 'fflate';
 import {
   escapeMarkup,
   unescapeMarkup,
+  writeCmi5Files,
   writeEmbedFiles,
   writeH5pFiles,
   writePageFiles,
@@ -18,7 +19,7 @@ import { loadPart } from './parts.ts';
 import { newDataId } from './prepare.ts';
 import type { LessonData } from './prepare.ts';
 
-export type ExportKind = 'page' | 'single-file' | 'embed' | 'scorm' | 'scorm-2004' | 'h5p';
+export type ExportKind = 'page' | 'single-file' | 'embed' | 'scorm' | 'scorm-2004' | 'cmi5' | 'h5p';
 
 export interface ExportOptions {
   readonly kind: ExportKind;
@@ -62,6 +63,8 @@ export function writeLesson(
       return writeSingleFile(toWritten(lesson, data), player)[0].bytes;
     case 'embed':
       return zipFiles(writeEmbedFiles(toWritten(lesson, data, poster), player, { address }));
+    case 'cmi5':
+      return zipFiles(writeCmi5Files(toWritten(lesson, data), player, { pass }));
     case 'h5p':
       return zipFiles(writeH5pFiles(toWritten(lesson, data), player));
     case 'scorm':
@@ -133,7 +136,7 @@ export const posterName = (type: string): string => (type === 'image/webp' ? 'po
 const isPoster = (name: string): boolean => /^poster\.(?:webp|png)$/.test(name);
 
 /** The script of a package for a course: it is written again. */
-const courseScript = /<script src="course\.js"[^>]*><\/script>/;
+const courseScript = /<script src="(?:course|cmi5)\.js"[^>]*><\/script>/;
 
 function openPackage(bytes: Uint8Array): OpenedLesson | null {
   let files: Record<string, Uint8Array>;

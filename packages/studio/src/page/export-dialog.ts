@@ -72,7 +72,7 @@ function renderDetail(studio: Studio): unknown {
   return isCourse(chosen.kind) ? field('pass', words.pass) : nothing;
 }
 
-const isCourse = (kind: ExportKind): boolean => kind === 'scorm' || kind === 'scorm-2004';
+const isCourse = (kind: ExportKind): boolean => ['scorm', 'scorm-2004', 'cmi5'].includes(kind);
 
 function renderLacks(studio: Studio, lacks: readonly Lack[]): unknown {
   const { words } = studio;
