@@ -16,27 +16,40 @@ const tables: Readonly<Record<string, readonly [skip: number, entry: number, at:
   ctts: [8, 8, 0, 2 ** 20],
 };
 
+/** Tracks of a file: a film has a picture, some languages and some subtitles. mediabunny makes the table of each of them. */
+const maxTracks = 32;
+
 /**
- * Checks the numbers of an MP4 over which mediabunny 1.61 loops without a limit. Damaged boxes end the walk: mediabunny says what is wrong.
- * @throws {VolumeViewError} `format/corrupt`
+ * Checks the numbers of an MP4 over which mediabunny 1.61 loops without a limit, and how many tables it makes. Damaged boxes end the walk:
+ * mediabunny says what is wrong.
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function checkTables(bytes: Uint8Array<ArrayBuffer>): void {
-  walk(new DataView(bytes.buffer, bytes.byteOffset, bytes.length), [0, bytes.length], 0);
+  const tracks = walk(new DataView(bytes.buffer, bytes.byteOffset, bytes.length), [0, bytes.length], 0);
+  if (tracks > maxTracks)
+    throw new VolumeViewError(
+      'format/too-large',
+      `the video got ${tracks.toLocaleString('en')} tracks; expected at most ${maxTracks}`,
+    );
 }
 
-function walk(view: DataView, [start, end]: readonly [number, number], depth: number): void {
+/** @returns the number of tracks */
+function walk(view: DataView, [start, end]: readonly [number, number], depth: number): number {
+  let tracks = 0;
   for (let at = start; at + 8 <= end;) {
     const name = String.fromCharCode(...[4, 5, 6, 7].map((i) => view.getUint8(at + i)));
     const short = view.getUint32(at);
     const isLong = short === 1 && at + 16 <= end;
     const size = isLong ? Number(view.getBigUint64(at + 8)) : short === 0 ? end - at : short;
     const head = isLong ? 16 : 8;
-    if (size < head) return;
+    if (size < head) break;
     const inside = [at + head, Math.min(end, at + size)] as const;
-    if (holders.has(name) && depth < maxDepth) walk(view, inside, depth + 1);
+    if (name === 'trak') tracks++;
+    if (holders.has(name) && depth < maxDepth) tracks += walk(view, inside, depth + 1);
     if (Object.hasOwn(tables, name)) checkTable(view, inside, tables[name]);
     at += size;
   }
+  return tracks;
 }
 
 function checkTable(

@@ -48,6 +48,26 @@ describe('damaged videos', () => {
     expect(countFrames(await open(await fetchFixture('video/h264-later-first.mp4')))).to.equal(12);
   });
 
+  it('have no more tracks than a film has: the table of each takes memory', async () => {
+    const bytes = await fetchFixture('video/h264-later-first.mp4');
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    const placeOf = (box: string): number =>
+      bytes.findIndex((_, i) => Array.from(box).every((letter, k) => bytes[i + 4 + k] === letter.charCodeAt(0)));
+    const [movie, track] = [placeOf('moov'), placeOf('trak')];
+    const [inMovie, inTrack] = [view.getUint32(movie), view.getUint32(track)];
+    const withTracks = (count: number): Uint8Array<ArrayBuffer> => {
+      const all = new Uint8Array(bytes.length + (count - 1) * inTrack);
+      all.set(bytes.subarray(0, track));
+      for (let i = 0; i < count; i++) all.set(bytes.subarray(track, track + inTrack), track + i * inTrack);
+      all.set(bytes.subarray(track + inTrack), track + count * inTrack);
+      new DataView(all.buffer).setUint32(movie, inMovie + (count - 1) * inTrack);
+      return all;
+    };
+    expect(await answerTo(withTracks(32))).to.be.oneOf(['opened', 'format/corrupt']);
+    const { code, message } = await expectError(open(withTracks(33)));
+    expect([code, message]).to.deep.equal(['format/too-large', 'the video got 33 tracks; expected at most 32']);
+  });
+
   it('have an answer with other bytes in them, 2,000 times at random', async () => {
     let state = 41;
     const random = (below: number): number => {
