@@ -1,4 +1,3 @@
-import { finestSpacing } from './grid.ts';
 import type { GridFrame } from './grid.ts';
 import type { Vector3 } from './matrix.ts';
 
@@ -14,25 +13,4 @@ export interface FinerVoxels {
   storedAt(place: Vector3): number | undefined;
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;
-}
-
-/** The grid whose voxels light and gradients count: the finest one of a volume. */
-export function finestGrid<G extends GridFrame>({
-  grid,
-  finer,
-}: {
-  readonly grid: G;
-  readonly finer?: FinerVoxels;
-}): G | GridFrame {
-  return finer?.finest ?? grid;
-}
-
-/** The shortest edge of a voxel of that grid, world length. */
-export function finestVoxel(volume: Parameters<typeof finestGrid>[0]): number {
-  return finestSpacing(finestGrid(volume));
-}
-
-/** The same of the finest voxels that are there: rays meet their planes. */
-export function sampledVoxel({ grid, finer }: Parameters<typeof finestGrid>[0]): number {
-  return finestSpacing(finer?.grid ?? grid);
 }

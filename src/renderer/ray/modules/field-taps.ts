@@ -3,7 +3,6 @@ import cartesianTaps from '../../../../shaders/chunks/field/gradient-cartesian.g
 import { loadPart } from '../../../core/load-part.ts';
 import { normalsToWorld } from '../../../optics/rays/gradient.ts';
 import type { SlopedField } from '../../../optics/shading-twins.ts';
-import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -29,6 +28,6 @@ export const shadingTwins = later(() =>
 export const cartesianTapsOf: FieldTaps = {
   chunk: cartesianTaps,
   uniforms: () => ({}),
-  normals: (volume) => normalsToWorld(finestGrid(volume)),
+  normals: (volume) => normalsToWorld(volume.finer?.finest ?? volume.grid),
   slopes: partOf(shadingTwins, ({ cartesianSlopes }) => cartesianSlopes),
 };

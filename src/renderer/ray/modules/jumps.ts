@@ -9,7 +9,7 @@ import walkParts from '../../../../shaders/chunks/walk/walk-parts.glsl?raw';
 import { maxHalvings, maxHidden, maxHiddenAtLabels, maxLooks } from '../../../optics/surfaces/jump-gather.ts';
 import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { findOpaqueJumps } from '../../../optics/transfer/opaque-jumps.ts';
-import { finestVoxel, sampledVoxel } from '../../../volume/finer-voxels.ts';
+import { finestSpacing } from '../../../volume/grid.ts';
 import { isPolar } from '../../../volume/volume.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
@@ -41,7 +41,7 @@ export function jumpsText(isOne: boolean): RayText {
 
 const jumpsTwin = (values: readonly number[]): RayTwin =>
   twinOf(usualTwins, ({ jumpGather }, { volume, rays }) => ({
-    gather: jumpGather(values, sampledVoxel(volume) / rays.diameter),
+    gather: jumpGather(values, finestSpacing(volume.finer?.grid ?? volume.grid) / rays.diameter),
   }));
 
 /** Searches for places where a volume becomes opaque at once. */
@@ -70,14 +70,14 @@ export function createJumps(gl: Gl, device: Device): Jumps {
       joinInputs(composite.inputs(frame), {
         uniforms: {
           uSurfaceValues: surfaceValues(values, frame),
-          uVoxelLength: sampledVoxel(frame.volume) / frame.rays.diameter,
+          uVoxelLength: finestSpacing(frame.volume.finer?.grid ?? frame.volume.grid) / frame.rays.diameter,
         },
         units: [],
       }),
   });
   return {
     modulesFor: (volume, { transferFunction, referenceLength, opacityFactor }) => {
-      const voxelRatio = (finestVoxel(volume) / referenceLength) * opacityFactor;
+      const voxelRatio = (finestSpacing(volume.finer?.finest ?? volume.grid) / referenceLength) * opacityFactor;
       return kept.get([volume, transferFunction, voxelRatio], () => {
         const values = isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio);
         return values.length > 0 ? [of(values)] : [];

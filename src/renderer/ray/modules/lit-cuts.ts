@@ -3,7 +3,6 @@ import type { Cutout, HalfSpace } from '../../../optics/rays/clip-intervals.ts';
 import { changePerVoxel, measureBox } from '../../../optics/rays/cut-fade.ts';
 import type { CutFaces } from '../../../optics/rays/cut-fade.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
-import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -26,7 +25,7 @@ const far = 1e9;
 
 /** The uniforms of shaders/chunks/shade/lit-cuts.glsl. */
 export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, volume: VolumeData): Uniforms {
-  const { dimensions } = finestGrid(volume);
+  const { dimensions } = volume.finer?.finest ?? volume.grid;
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];
     if (!plane) return [0, 0, 0, far];

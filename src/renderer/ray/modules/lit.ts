@@ -17,7 +17,6 @@ import {
 } from '../../../optics/transfer/lights.ts';
 import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.ts';
 import { mapShares } from '../../../optics/transfer/share-map.ts';
-import { finestGrid } from '../../../volume/finer-voxels.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -83,7 +82,7 @@ export function litScene(
   { lights: shining, cuts }: LitSurroundings,
 ): LitScene {
   return {
-    grid: finestGrid(volume),
+    grid: volume.finer?.finest ?? volume.grid,
     gradient: taps.slopes.code(volume).gradient,
     flat: flatChange(domainOf(optics.transferFunction), volume.range),
     lights: placesOnly ? headlightAlone : shining,

@@ -9,7 +9,6 @@ import {
   shortWay,
 } from '../../../optics/transfer/patches.ts';
 import type { Patch } from '../../../optics/transfer/patches.ts';
-import { finestGrid } from '../../../volume/finer-voxels.ts';
 import type { Gl } from '../../device/device.ts';
 import { joinInputs } from '../../device/inputs.ts';
 import type { Uniforms } from '../../device/inputs.ts';
@@ -48,7 +47,7 @@ function patchesTwin(patches: readonly Patch[], options: LitOptions): RayTwin {
     const scene = {
       ...slopes,
       field: slopes,
-      grid: finestGrid(volume),
+      grid: volume.finer?.finest ?? volume.grid,
       patches: lightPatches(patches, lightFactor),
       opticalScale: (rays.diameter / referenceLength) * opacityFactor,
     };
@@ -99,7 +98,7 @@ function patchUniforms({ volume, domain: [low, high], optics }: RayFrame, patche
   const boxes = lit.filter(({ kind }) => kind === 'box');
   const all = [...boxes, ...lit.filter(({ kind }) => kind !== 'box')];
   const width = high - low;
-  const perDomain = perWorldUnit(finestGrid(volume)) * width;
+  const perDomain = perWorldUnit(volume.finer?.finest ?? volume.grid) * width;
   const steepest = Math.max(
     flattest * perDomain,
     Math.min(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1]))),

@@ -15,7 +15,6 @@ import {
   styleRows,
 } from '../../../optics/transfer/volume-styles.ts';
 import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
-import { finestGrid } from '../../../volume/finer-voxels.ts';
 import { isWebGl2 } from '../../device/device.ts';
 import type { Gl } from '../../device/device.ts';
 import { prepareUpload } from '../../textures/fill-texture.ts';
@@ -159,7 +158,7 @@ export class StyledRays {
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,
-      uStyleChange: this.flatPart * perReferenceLength(finestGrid(volume), optics.referenceLength),
+      uStyleChange: this.flatPart * perReferenceLength(volume.finer?.finest ?? volume.grid, optics.referenceLength),
     };
   }
 
