@@ -12,7 +12,8 @@ const visible = 0.5 / 255;
 
 /**
  * How far the picture of a volume is from that of the one before, 1/255, over the pixels that one of the two covers. Both are drawn by the
- * float64 reference.
+ * float64 reference, from the
+ * camera that readers have of the changed volume: what a lossy form leaves in empty places may move it.
  * @param image - a mosaic of the changed volume @param manifest - without the name of the image
  * @param size - pixels across
  */
@@ -25,7 +26,10 @@ export async function comparePictures(
   const after = await readBack(image, manifest);
   // The window belongs to all scans.
   const { window } = after;
-  const [a, b] = [(await drawPoster({ ...before, window }, size)).pixels, (await drawPoster(after, size)).pixels];
+  const [{ pixels: a }, { pixels: b }] = [
+    await drawPoster({ ...before, window }, size, after),
+    await drawPoster(after, size),
+  ];
   const worst: number[] = [];
   let squares = 0;
   for (let i = 0; i < a.length; i += 4) {

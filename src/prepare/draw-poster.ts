@@ -30,11 +30,12 @@ export interface Poster {
  * Draws a volume as a view shows it whose page says nothing: the same camera, colours and light, in float64, without a browser. What
  * is not visible is skipped, by macrocells, and rays end where they are opaque; both change nothing that can be seen.
  * @param size - pixels across and down
+ * @param framed - the volume that the camera shows in full: another one on the same grid, where two pictures are compared
  */
-export async function drawPoster(volume: Volume, size: number): Promise<Poster> {
+export async function drawPoster(volume: Volume, size: number, framed = volume): Promise<Poster> {
   const optics = await resolveAppearance(withDefaultLook(plainAppearance, volume), volume);
   const { grid, range } = volume;
-  const camera = frameVolume(volume, optics.transferFunction);
+  const camera = frameVolume(framed, optics.transferFunction);
   const rays = setUpRays(grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
   const pixels = new Float64Array(4 * size * size);
   if (!rays) return { size, pixels };
