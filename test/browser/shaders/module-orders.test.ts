@@ -52,6 +52,7 @@ import { castPixels } from '../../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../../helpers/polar-cloud.ts';
 import { blocks, mixedGroups, mixedAppearances } from '../../helpers/labels.ts';
 import { overlayOf } from '../../helpers/overlays.ts';
+import { cutIntoBricks } from '../../helpers/bricks.ts';
 import { listLevels } from '../../helpers/ray-modules.ts';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
 
@@ -110,6 +111,12 @@ const named: Volume = {
   ),
 };
 
+/** A larger head as a coarse volume, with all bricks of the finer level over it. */
+const { volume: bricked } = cutIntoBricks(
+  syntheticVolume({ dimensions: [40, 40, 40], kind: 'float32', field: bump }),
+  2,
+);
+
 /** Light on a field, from the side and from the eye. */
 const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => ({
   moreFields: [pointField],
@@ -150,6 +157,7 @@ const looks: Record<string, Look> = {
   cutout: { ...exact, ends: [cutoutInterval(hole)] },
   planes: { ...exact, ends: [planeInterval([plane], known(ramp), oneColor)] },
   cartesian: { ...colored, field: cartesianField({ ...head, dimensions: head.grid.dimensions }) },
+  bricks: { ...colored, field: cartesianField({ ...bricked, dimensions: bricked.grid.dimensions }) },
   discrete: { ...colored, field: cartesianField({ ...named, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polarField(storm), referenceLength: 3000 },
   labels: { ...exact, moreFields: [labelField(things, true)], gather: projectionGather('average') },
@@ -241,7 +249,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.plan = { ...layer.plan, slices: [level], cuts };
     await layer.setAttached((attached) => attached.setLabels(things));
     await layer.setAttached((attached) => attached.setOverlay(over));
-    for (const volume of [head, named, storm]) {
+    for (const volume of [head, bricked, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setAppearance({ optics: { ...plain, transferFunction: oneColor } });

@@ -122,11 +122,11 @@ describe('files with which other viewers failed', () => {
     let compared = 0;
     for (const [name, answer] of Object.entries(answers)) {
       if (name === 'rgb24.nii') {
-        // Brightness of what nibabel 5.4.2 reads: luma of Rec. ITU-R BT.709, rounded.
+        // The three numbers of each of its voxels are the same, so it is gray: as nibabel 5.4.2 reads it.
         const volume = await load(`05-nifti-headers/${name}`);
         expect(volume.range).to.deep.equal([100, 246]);
         expect(valueAt(volume, [1, 2, 3])).to.equal(134);
-        expect(volume.left!.join()).to.contain('colours');
+        expect([volume.left, volume.channels]).to.deep.equal([undefined, undefined]);
         continue;
       }
       if (typeof answer === 'string') continue; // nibabel reads none of these.
