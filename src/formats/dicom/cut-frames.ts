@@ -1,13 +1,14 @@
 // Some frames of a file as a file of their own, which a browser keeps without a copy of the others.
 import type { FramesOfFile } from '../base/scan-data.ts';
-import { fragmentsOf, frameBytes } from './decode-frame.ts';
+import { unsupportedFile } from '../base/file-problem.ts';
+import { fragmentsOf, frameBytes, isInPairs } from './decode-frame.ts';
 import type { Picture } from './picture.ts';
 
 /**
  * @param picture - with its pixels
  * @returns what makes a file of some of its frames, in their order. It says of itself what the whole one does: also how many frames
  * that has. Of a deflated file it is what was unpacked.
- * @throws {VolumeViewError} `format/corrupt` where the file does not say where a frame begins
+ * @throws {VolumeViewError} `format/corrupt` where the file does not say where a frame begins, `format/unsupported` where two frames share a pair of bytes
  */
 export function cutFrames(picture: Picture): (frames: readonly number[]) => FramesOfFile {
   const { set, pixels } = picture;
@@ -19,6 +20,11 @@ export function cutFrames(picture: Picture): (frames: readonly number[]) => Fram
   const head = whole.slice(0, pixels.start);
   const { bytes } = pixels;
   const size = frameBytes(picture);
+  if (isInPairs(picture) && size % 2 === 1)
+    throw unsupportedFile(
+      picture.what,
+      'has several times in frames of an odd number of bytes, in words of big endian; convert it: gdcmconv --raw in.dcm out.dcm',
+    );
   return (frames) => ({
     frames,
     file: new Blob([

@@ -101,9 +101,7 @@ export function decodeFrame(
   const taken = (isJ2k(picture) ? 16 : syntax.packing === 'JPEG' ? 6 : 3) * size;
   budget.take(taken, what);
   const bytes = new Uint8Array(size);
-  const packed = pixels.bytes
-    ? pixels.bytes.subarray(frame * size, (frame + 1) * size)
-    : joinFragments(fragmentsOf(picture, frame));
+  const packed = pixels.bytes ? bytesOfFrame(picture, frame, size) : joinFragments(fragmentsOf(picture, frame));
   if (colors && colors.kind !== 'palette') {
     const gray = new Uint8Array(picture.rows * picture.columns);
     const isRle = syntax.packing === 'RLE';
@@ -152,9 +150,20 @@ function copyNumbers(from: Uint8Array, bytes: Uint8Array, { pixels, bitsAllocate
   if (from.length < bytes.length)
     throw corruptFile(what, `ends early: got ${from.length} bytes of a frame; expected ${bytes.length}`);
   bytes.set(from.subarray(0, bytes.length));
-  // Bytes in words of 16 bits have the byte order of words.
-  const word = bitsAllocated === 8 && pixels.vr === 'OW' && !pixels.littleEndian ? 2 : bitsAllocated / 8;
-  if (word > 1 && (bitsAllocated === 8 || pixels.littleEndian !== hostIsLittleEndian)) swapBytes(bytes, word);
+  if (bitsAllocated > 8 && pixels.littleEndian !== hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
+}
+
+/** Whether bytes lie in words of 16 bits of big endian: two change places. Source: PS3.5, 8.1.1 and annex A.3 */
+export const isInPairs = ({ bitsAllocated, pixels }: Picture): boolean =>
+  bitsAllocated === 8 && pixels.vr === 'OW' && !pixels.littleEndian;
+
+/** Bytes of a frame in their order. Of pairs the other byte may lie in the next frame, or behind the last one. */
+function bytesOfFrame(picture: Picture, frame: number, size: number): Uint8Array {
+  const bytes = picture.pixels.bytes!;
+  const start = frame * size;
+  if (!isInPairs(picture)) return bytes.subarray(start, start + size);
+  const { length } = bytes.subarray(start, start + size);
+  return Uint8Array.from({ length }, (_, i) => bytes[(start + i) ^ 1]);
 }
 
 const joinFragments = (pieces: readonly Uint8Array[]): Uint8Array =>

@@ -4,7 +4,7 @@ import { corruptFile } from '../base/file-problem.ts';
 import { joinPieces } from '../base/join-pieces.ts';
 import { Queue } from '../base/queue.ts';
 import type { FileRange, FramePlaces } from '../base/scan-data.ts';
-import { frameBytes } from './decode-frame.ts';
+import { frameBytes, isInPairs } from './decode-frame.ts';
 import type { Picture } from './picture.ts';
 import { itemTags } from './tags.ts';
 
@@ -34,6 +34,7 @@ export async function findFramePlaces(
   const from = pixels.start;
   if (pixels.bytes) {
     const size = frameBytes(picture);
+    if (isInPairs(picture) && size % 2 === 1) return null; // Two frames share a pair of bytes.
     const ranges = Array.from({ length: frames }, (_, i) => ({ start: from + i * size, end: from + (i + 1) * size }));
     return { ranges, isPacked: false };
   }
