@@ -1,4 +1,5 @@
 import type { VolumeFormat } from '../base/format.ts';
+import { isDicom } from '../dicom/is-dicom.ts';
 import { detectNifti } from '../nifti/nifti-header.ts';
 
 export const analyze: VolumeFormat = {
@@ -8,7 +9,8 @@ export const analyze: VolumeFormat = {
   // A file of samples has no mark.
   beginning: null,
   // A single NIfTI file, which has the mark "n+1" or "n+2", is recognized before.
-  matches: ({ bytes, unpacked }) => detectNifti(unpacked ?? bytes) !== null,
+  // Programs that keep both kinds of header write the length of this one before the mark of DICOM.
+  matches: ({ bytes, unpacked }) => detectNifti(unpacked ?? bytes) !== null && !isDicom(unpacked ?? bytes),
   takesFiles: true,
   load: async () => (await import('#rare/formats/analyze/read-analyze.ts')).readAnalyze,
 };

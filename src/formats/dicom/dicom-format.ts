@@ -7,7 +7,7 @@ export const dicom: VolumeFormat = {
   endings: ['dcm', 'dicom', 'ima'],
   // The reader itself refuses other files: the usual words for it have the name of the file.
   beginning: null,
-  matches: ({ bytes }) => isDicom(bytes),
+  matches: ({ bytes, unpacked }) => isDicom(unpacked ?? bytes),
   takesFiles: true,
   isSlice: true,
   load: async () => (await import('#rare/formats/dicom/read-dicom.ts')).readDicom,

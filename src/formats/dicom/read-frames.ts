@@ -18,6 +18,7 @@ import type { Picture } from './picture.ts';
 import { readDicomFile } from './read-file.ts';
 import type { DicomFile } from './read-file.ts';
 import { tags } from './tags.ts';
+import { unpackFile } from './unpack-file.ts';
 
 /** How messages name the files: without their own names. */
 export const nameAll = (files: number): string =>
@@ -39,7 +40,7 @@ const describingBytes = 1500;
  * @throws {VolumeViewError} where no file has a picture, or most are damaged
  */
 export async function readFrames(input: DecodeInput, context: ReadContext, files: number): Promise<ReadFrames> {
-  const only = files === 1 && !context.folder ? readWhole(input, context, nameOne(1, 1)) : null;
+  const only = files === 1 && !context.folder ? readWhole(await unpack(input, context), context, nameOne(1, 1)) : null;
   if (only && (isSegmentation(only.set) || isStructureSet(only.set))) return { frames: [], left: [], labels: only };
   const frames: Frame[] = [];
   const refused: Refused[] = [];
@@ -111,17 +112,20 @@ async function* readPictures(input: DecodeInput, context: ReadContext, files: nu
   const { further, folder } = context;
   if (!folder) {
     let place = 1;
-    yield () => findPicture(readWhole(input, context, nameOne(1, files)), nameOne(1, files));
+    const first = await unpack(input, context);
+    yield () => findPicture(readWhole(first, context, nameOne(1, files)), nameOne(1, files));
     for await (const file of context.fetchFiles(further)) {
       place++;
-      yield () => findPicture(readWhole(file, context, nameOne(place, files)), nameOne(place, files));
+      const next = await unpack(file, context);
+      yield () => findPicture(readWhole(next, context, nameOne(place, files)), nameOne(place, files));
     }
     return;
   }
   const read = async (url: string, i: number): Promise<Found> => {
     const what = nameOne(i + 1, files);
     const picture =
-      (await readStart(url, context, what)) ?? findPicture(readWhole(await folder.readWhole(url), context, what), what);
+      (await readStart(url, context, what)) ??
+      findPicture(readWhole(await unpack(await folder.readWhole(url), context), context, what), what);
     if (!picture || picture === 'list') return picture;
     // Else its bytes are kept.
     return folder.sourceOf(url) === null ? picture : { ...picture, file: url };
@@ -133,6 +137,12 @@ async function* readPictures(input: DecodeInput, context: ReadContext, files: nu
     };
   }
 }
+
+/** A file may be packed with gzip. */
+const unpack = async (input: DecodeInput, { budget }: ReadContext): Promise<DecodeInput> => ({
+  ...input,
+  bytes: await unpackFile(input.bytes, budget, 'the DICOM file'),
+});
 
 function readWhole({ bytes }: DecodeInput, { budget }: ReadContext, what: string): DicomFile {
   if (!isDicom(bytes))

@@ -1,6 +1,6 @@
 // Files of a disk or of an archive: their starts are read first, and every eighth slice comes first.
 import { expect } from '@esm-bundle/chai';
-import { zipSync } from 'fflate';
+import { gzipSync, zipSync } from 'fflate';
 import { Budget, bytesPerFileByte, freeBytes } from '../../../../src/formats/base/budget.ts';
 import { decodeRequest } from '../../../../src/worker/decode-request.ts';
 import type { CoarseVolume, LoadProgress } from '../../../../src/formats/base/load-request.ts';
@@ -192,6 +192,14 @@ describe('a folder of DICOM', function () {
       if (bytes > 1.5 * files[0].length) throw new DOMException('of the disk', 'NotReadableError');
     });
     expect(volume.samples).to.deep.equal((await decodeSeries(files)).samples);
+  });
+
+  it('may have each file packed with gzip', async () => {
+    const files = [0, 1, 2].map((k) => slice(k));
+    const packed = files.map((bytes) => gzipSync(bytes) as Uint8Array<ArrayBuffer>);
+    const [{ volume }, { volume: plain }] = [await openFolder(packed), await openFolder(files)];
+    expect(volume.grid.dimensions).to.deep.equal([96, 96, 3]);
+    expect(valuesOf(volume)).to.deep.equal(valuesOf(plain));
   });
 
   it('with a file that can not be read any longer is an error that names its number', async () => {

@@ -1,9 +1,10 @@
 import { expect } from '@esm-bundle/chai';
+import { gzipSync } from 'fflate';
 import { ctSlice, dicomBytes, packRle, pixelFields, syntaxes } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../../helpers/dicom-bytes.ts';
 import { cases } from '../../../helpers/dicom-cases.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
-import { expectError, valuesOf } from '../../../helpers/decode.ts';
+import { decodeBytes, expectError, valuesOf } from '../../../helpers/decode.ts';
 
 const u16 = [0, 5957, 11914, 17871, 23828, 29785, 35742, 41699, 47656, 53613, 59570, 65527];
 const i16 = [-32768, -26811, -20854, -14897, -8940, -2983, 2974, 8931, 14888, 20845, 26802, 32759];
@@ -62,6 +63,36 @@ describe('numbers of DICOM files against pydicom', () => {
       );
     });
   }
+});
+
+describe('DICOM files that look like others', () => {
+  const plain = dicomBytes(ctSlice(0));
+  /** The first bytes may be anything: of NIfTI's header the length, as in 0.dcm of nibabel's own tests; of TIFF the mark, as in pydicom's MR_small. */
+  const beginWith = (...bytes: number[]): Uint8Array<ArrayBuffer> => {
+    const file = plain.slice();
+    file.set(bytes);
+    return file;
+  };
+  for (const [name, file] of Object.entries({
+    'with the length of the header of NIfTI': beginWith(0x5c, 1, 0, 0),
+    'with the mark of TIFF': beginWith(0x49, 0x49, 0x2a, 0, 0, 1, 0, 0),
+    'packed with gzip': gzipSync(plain) as Uint8Array<ArrayBuffer>,
+    'packed with gzip, with the length of the header of NIfTI': gzipSync(
+      beginWith(0x5c, 1, 0, 0),
+    ) as Uint8Array<ArrayBuffer>,
+    'packed with gzip, with the mark of TIFF': gzipSync(
+      beginWith(0x49, 0x49, 0x2a, 0, 0, 1, 0, 0),
+    ) as Uint8Array<ArrayBuffer>,
+  }))
+    it(`${name} are read`, async () => {
+      for (const end of ['.dcm', '', '.dcm.gz']) {
+        const volume = await decodeBytes(file.slice(), `file${end}`);
+        expect([volume.format, valuesOf(volume)], end).to.deep.equal([
+          'DICOM, CT',
+          valuesOf(await decodeSeries([plain])),
+        ]);
+      }
+    });
 });
 
 describe('bytes in words of big endian, of which a frame has an odd number', () => {
