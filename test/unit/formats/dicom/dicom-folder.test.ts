@@ -196,7 +196,7 @@ describe('a folder of DICOM', function () {
 
   it('may have each file packed with gzip', async () => {
     const files = [0, 1, 2].map((k) => slice(k));
-    const packed = files.map((bytes) => gzipSync(bytes) as Uint8Array<ArrayBuffer>);
+    const packed = files.map((bytes) => gzipSync(bytes));
     const [{ volume }, { volume: plain }] = [await openFolder(packed), await openFolder(files)];
     expect(volume.grid.dimensions).to.deep.equal([96, 96, 3]);
     expect(valuesOf(volume)).to.deep.equal(valuesOf(plain));

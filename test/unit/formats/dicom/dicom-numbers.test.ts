@@ -76,13 +76,9 @@ describe('DICOM files that look like others', () => {
   for (const [name, file] of Object.entries({
     'with the length of the header of NIfTI': beginWith(0x5c, 1, 0, 0),
     'with the mark of TIFF': beginWith(0x49, 0x49, 0x2a, 0, 0, 1, 0, 0),
-    'packed with gzip': gzipSync(plain) as Uint8Array<ArrayBuffer>,
-    'packed with gzip, with the length of the header of NIfTI': gzipSync(
-      beginWith(0x5c, 1, 0, 0),
-    ) as Uint8Array<ArrayBuffer>,
-    'packed with gzip, with the mark of TIFF': gzipSync(
-      beginWith(0x49, 0x49, 0x2a, 0, 0, 1, 0, 0),
-    ) as Uint8Array<ArrayBuffer>,
+    'packed with gzip': gzipSync(plain),
+    'packed with gzip, with the length of the header of NIfTI': gzipSync(beginWith(0x5c, 1, 0, 0)),
+    'packed with gzip, with the mark of TIFF': gzipSync(beginWith(0x49, 0x49, 0x2a, 0, 0, 1, 0, 0)),
   }))
     it(`${name} are read`, async () => {
       for (const end of ['.dcm', '', '.dcm.gz']) {
