@@ -72,9 +72,13 @@ export function isCfradial1(root: DataGroup): boolean {
 /** The same as `readCfradial1`, for a file that is open. */
 export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   if (!isCfradial1(root)) {
+    // Source: MINC 1 programmer's guide: MIimage, MIimagemax.
+    const isMinc = root.names.includes('image') && root.names.includes('image-max');
     throw new VolumeViewError(
       'format/unsupported',
-      'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1',
+      isMinc
+        ? 'the file is MINC 1, which volume-view does not read; convert it to MINC 2: mincconvert -2 in.mnc out.mnc'
+        : 'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1',
     );
   }
   const scan = openScan(root, budget);

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { decodeBytes, expectError, fetchFixture } from '../../../helpers/decode.ts';
+import { buildNetcdf3 } from '../../../helpers/netcdf3-builder.ts';
 import { compareFormatFile, filesLike, readFormatFile } from '../../../helpers/format-files.ts';
 
 describe('MINC 2 against nibabel', () => {
@@ -19,6 +20,14 @@ describe('MINC 2', () => {
 
   it('keeps small whole numbers of one scale as they are', async () => {
     expect((await readFormatFile('minc-u1.mnc')).samples).to.be.instanceOf(Uint8Array);
+  });
+
+  it('of version 1, which is NetCDF, is refused in words, and not called a radar', async () => {
+    const values = (name: string) => ({ name, dimensions: [0], data: Float64Array.of(1, 2) });
+    const bytes = buildNetcdf3([2], [values('image-max'), values('image-min'), values('image')]);
+    const error = await expectError(decodeBytes(bytes, 'x.mnc'));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.contain('MINC 1').and.to.contain('mincconvert -2');
   });
 
   it('is refused in words with uneven slices', async () => {
