@@ -49,7 +49,7 @@ export async function measureMotion(
   const element = placeElement({
     src,
     sight: sightOf(volume, view, 0),
-    attributes: transferFunction === null ? {} : { 'transfer-function': transferFunction },
+    attributes: transferFunction === null ? { shading: 'unlit' } : { 'transfer-function': transferFunction },
     ...view,
   });
   const kept = shares.map((): (KeptThing | null)[][] => []);

@@ -129,7 +129,9 @@ export async function measureScene(name: string, { angles, doubts = true, notify
   const { view, transferFunction } = [...smallScenes, ...realScenes].find((one) => one.name === name)!;
   const shown = await show(name);
   const gl = new StudyGl();
-  const attributes: Record<string, string> = transferFunction === null ? {} : { 'transfer-function': transferFunction };
+  // The rays that it is compared with have no light, which a scan has where its page asks for nothing.
+  const attributes: Record<string, string> =
+    transferFunction === null ? { shading: 'unlit' } : { 'transfer-function': transferFunction };
   const element = placeElement({ src: shown.src, sight: sightOf(shown.volume, view, 0), attributes, ...view });
   const pictures: SmallPicture[] = [];
   let first: Pick<SmallResult, 'uncertain' | 'levels'> = { uncertain: { ofSteps: 0, ofFloats: 0 }, levels: [] };
