@@ -21,7 +21,7 @@ import time
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE / "tests"))
 
-from helpers import COMMAND, catalogue_of, scans_in, write_nifti  # noqa: E402
+from helpers import COMMAND, catalogue_of, children_of, command_of, scans_in, write_nifti  # noqa: E402
 
 
 def main():
@@ -109,18 +109,6 @@ def kill_worker(driver):
             os.kill(child, signal.SIGKILL)
             return 1
     return 0
-
-
-def children_of(process):
-    found = subprocess.run(["ps", "--ppid", str(process), "-o", "pid="], capture_output=True, text=True).stdout
-    return [int(one) for one in found.split()]
-
-
-def command_of(process):
-    try:
-        return pathlib.Path(f"/proc/{process}/cmdline").read_bytes().replace(b"\0", b" ").decode()
-    except OSError:
-        return ""
 
 
 if __name__ == "__main__":

@@ -78,24 +78,20 @@ export function mixChannels(list: readonly Channel[]): MixedChannels {
 
 /**
  * The colours of voxels, as a file has them. What is between voxels has the mean of their colours, and the opacity of its brightness.
- * @param rgb - red, green and blue of each voxel, 0..255
+ * @param planes - red, green and blue of all voxels, 0..255; they are kept
  */
-export function keepColors(rgb: Uint8Array): ChannelColors {
-  const length = rgb.length / 3;
-  const colors = new Uint8Array(4 * length);
-  const list = ['R', 'G', 'B'].map((name, c): Channel => ({
+export function keepColors(planes: readonly Uint8Array<ArrayBuffer>[]): ChannelColors {
+  const list = planes.map((samples, c): Channel => ({
     number: c + 1,
-    name,
+    name: 'RGB'[c],
     color: [Number(c === 0), Number(c === 1), Number(c === 2)],
     window: [0, 255],
-    samples: new Uint8Array(length),
+    samples,
     slope: 1,
     intercept: 0,
   }));
-  for (let i = 0; i < length; i++) {
-    for (let c = 0; c < 3; c++) colors[4 * i + c] = list[c].samples[i] = rgb[3 * i + c];
-    colors[4 * i + 3] = 255;
-  }
+  const colors = new Uint8Array(4 * planes[0].length).fill(255);
+  for (let i = 0; i < planes[0].length; i++) for (let c = 0; c < 3; c++) colors[4 * i + c] = planes[c][i];
   return { colors, full: 255, list, infos: list.map(infoOf) };
 }
 

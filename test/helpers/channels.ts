@@ -66,7 +66,7 @@ export function colorVolume(dimensions: Vector3): Volume {
     ...{ grid, unit, format, samples, slope: 1, intercept: 0 },
     macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, 1, 0),
-    channels: keepColors(rgb),
+    channels: keepColors([0, 1, 2].map((c) => rgb.filter((_, at) => at % 3 === c))),
   };
 }
 

@@ -5,6 +5,7 @@ import pathlib
 import re
 import shlex
 import struct
+import subprocess
 
 from pydicom.dataset import Dataset, FileMetaDataset
 from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian
@@ -78,3 +79,15 @@ def catalogue_of(site):
     entries = [one for page in range(index["pages"]) for one in json.loads((root / f"page-{page + 1}.json").read_text())]
     assert len(entries) == index["scans"] == len(json.loads((root / "words.json").read_text()))
     return entries
+
+
+def children_of(process):
+    found = subprocess.run(["ps", "--ppid", str(process), "-o", "pid="], capture_output=True, text=True).stdout
+    return [int(one) for one in found.split()]
+
+
+def command_of(process):
+    try:
+        return pathlib.Path(f"/proc/{process}/cmdline").read_bytes().replace(b"\0", b" ").decode()
+    except OSError:
+        return ""

@@ -22,7 +22,7 @@ from volume_view_archive.run_archive import Plan
 from volume_view_archive.run_batch import Job
 from volume_view_archive.watch_archive import watch_archive
 
-from helpers import COMMAND, PLANTED, catalogue_of, scans_in, write_niftis, write_radar, write_series
+from helpers import COMMAND, PLANTED, catalogue_of, children_of, command_of, scans_in, write_niftis, write_radar, write_series
 
 MORE = ["--", "--poster", "0"]
 
@@ -259,18 +259,6 @@ class Watched(Archive):
             time.sleep(0.2)
             with contextlib.suppress(OSError, ValueError, AssertionError):
                 found = [int(one["time"][14:16]) for one in catalogue_of(self.site)]
-
-
-def children_of(process):
-    found = subprocess.run(["ps", "--ppid", str(process), "-o", "pid="], capture_output=True, text=True).stdout
-    return [int(one) for one in found.split()]
-
-
-def command_of(process):
-    try:
-        return pathlib.Path(f"/proc/{process}/cmdline").read_bytes().replace(b"\0", b" ").decode()
-    except OSError:
-        return ""
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 import { keepColors } from '../../volume/channels.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import { chooseReduction, reduceVolume } from '../../volume/reduce.ts';
-import type { DeviceLimits } from '../../volume/reduce.ts';
+import type { Block, DeviceLimits } from '../../volume/reduce.ts';
+import type { Samples } from '../../volume/samples.ts';
 import { hasColors } from './channels.ts';
 import type { DecodedCartesianVolume, FileColors } from './decoded-volume.ts';
 
@@ -27,28 +28,27 @@ export function fitColors(
     { ...limits, maxBytes: limits.maxBytes / bytesOnDevice },
   );
   const isSmaller = factors.some((factor) => factor > 1);
-  const fit = <S extends typeof samples>(all: S): S =>
-    isSmaller ? (reduceVolume({ ...grid, samples: all }, factors).samples as S) : all;
-  const fitted = isSmaller ? reduceVolume({ ...grid, samples }, factors) : { ...grid, samples };
+  const fit = (all: Samples): Block => {
+    const block = { ...grid, samples: all };
+    return isSmaller ? reduceVolume(block, factors) : block;
+  };
+  const fitted = fit(samples);
   return {
     ...decoded,
     grid: cartesianGrid(fitted.dimensions, fitted.indexToWorld),
     samples: fitted.samples,
     counts: isSmaller ? undefined : decoded.counts,
-    channels: keepColors(isSmaller ? joinPlanes(splitPlanes(rgb).map(fit)) : rgb),
+    channels: keepColors(splitPlanes(rgb).map((plane) => fit(plane).samples as Uint8Array<ArrayBuffer>)),
     window: decoded.window ?? range,
     transferFunction: decoded.transferFunction ?? opacities(range),
     ...(isSmaller && { reduced: { from: grid.dimensions, to: fitted.dimensions } }),
   };
 }
 
-const splitPlanes = (rgb: Uint8Array): Uint8Array<ArrayBuffer>[] =>
-  [0, 1, 2].map((c) => Uint8Array.from({ length: rgb.length / 3 }, (_, i) => rgb[3 * i + c]));
-
-function joinPlanes(planes: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const rgb = new Uint8Array(3 * planes[0].length);
-  for (let at = 0; at < rgb.length; at++) rgb[at] = planes[at % 3][Math.floor(at / 3)];
-  return rgb;
+function splitPlanes(rgb: Uint8Array): Uint8Array<ArrayBuffer>[] {
+  const planes = [0, 1, 2].map(() => new Uint8Array(rgb.length / 3));
+  for (let i = 0, at = 0; at < rgb.length; i++, at += 3) for (let c = 0; c < 3; c++) planes[c][i] = rgb[at + c];
+  return planes;
 }
 
 /** White, so that the colours stay, and more opaque the brighter: its extinction is proportional to the brightness. */
