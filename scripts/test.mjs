@@ -131,6 +131,30 @@ if (process.argv.includes('--bundlers')) {
   parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true, last: true });
 }
 
+/** Minutes that a part may take: one that waits for ever is a failure with its output, not a run without an end. */
+const LONGEST = { browser: 40, other: 20 };
+
+/** Processes that run now. @type {Set<import('node:child_process').ChildProcess>} */
+const children = new Set();
+// A part is the leader of a group, so that what it started ends with it.
+const hasGroups = process.platform !== 'win32';
+
+/** Ends a part with all that it started. @param {import('node:child_process').ChildProcess} child */
+function end(child) {
+  try {
+    if (hasGroups && child.pid) process.kill(-child.pid, 'SIGKILL');
+    else child.kill('SIGKILL');
+  } catch {
+    // Nothing of it runs.
+  }
+}
+for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM'])) {
+  process.on(signal, () => {
+    for (const child of children) end(child);
+    process.exit(1);
+  });
+}
+
 /**
  * Run one part, and show its output: for a part with a browser, which takes minutes, at once; for others when it ends.
  * @param {Part} part
@@ -145,7 +169,12 @@ function runPart({ title, args, browser = false }) {
       held = '';
     };
     if (browser) show();
-    const child = spawn(process.execPath, args, { cwd: projectRoot, stdio: ['ignore', 'pipe', 'pipe'] });
+    const child = spawn(process.execPath, args, {
+      cwd: projectRoot,
+      stdio: ['ignore', 'pipe', 'pipe'],
+      detached: hasGroups,
+    });
+    children.add(child);
     for (const stream of [child.stdout, child.stderr]) {
       stream.setEncoding('utf8').on('data', (text) => {
         if (stream === child.stdout) output += text;
@@ -153,7 +182,18 @@ function runPart({ title, args, browser = false }) {
         if (browser) show();
       });
     }
+    const minutes = browser ? LONGEST.browser : LONGEST.other;
+    const limit = setTimeout(() => {
+      const words = `not ok: ${title} had not ended after ${minutes} minutes\n`;
+      output += words;
+      held += words;
+      end(child);
+    }, minutes * 60_000);
+    // What a part has left behind may hold its output open.
+    child.once('exit', () => end(child));
     child.once('close', (status) => {
+      clearTimeout(limit);
+      children.delete(child);
       show();
       resolve({ status: status ?? 1, output, seconds: (Date.now() - start) / 1000 });
     });

@@ -8,7 +8,7 @@ const packages = [
   ...['moto[server]==5.2.5', 'pystac==1.15.2', 'jsonschema==4.26.0'],
 ];
 
-const run = preparePythonTests('archive', packages, 600_000);
+const run = preparePythonTests('archive', packages, 400_000);
 if (!run)
   console.log('left out: the tests of the archive; there is no Python 3 with venv, or its packages can not be had');
 else

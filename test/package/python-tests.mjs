@@ -1,6 +1,6 @@
 // The Python tests of a package: in the Python of VOLUME_VIEW_PYTHON, else in a virtual environment that is made for them.
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { closeSync, mkdtempSync, openSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { projectRoot } from '../../scripts/shared-data.mjs';
@@ -18,13 +18,25 @@ export function preparePythonTests(name, packages, timeout) {
   const work = mkdtempSync(join(tmpdir(), 'volume-view-python-'));
   process.on('exit', () => rmSync(work, { recursive: true, force: true }));
   /** @param {string} program @param {string[]} args */
-  const run = (program, args) =>
-    spawnSync(program, args, {
+  const run = (program, args) => {
+    // A file, not a pipe: a process that outlives its parent would hold a pipe open, and this call would never end.
+    const said = openSync(join(work, 'said.txt'), 'w');
+    const { status, signal } = spawnSync(program, args, {
       cwd: folder,
-      encoding: 'utf8',
+      stdio: ['ignore', 'ignore', said],
       timeout,
-      env: { ...process.env, PYTHONPATH: join(folder, 'src'), PYTHONDONTWRITEBYTECODE: '1', PYTHONWARNINGS: 'ignore' },
+      killSignal: 'SIGKILL',
+      env: {
+        ...process.env,
+        PYTHONPATH: join(folder, 'src'),
+        PYTHONDONTWRITEBYTECODE: '1',
+        PYTHONWARNINGS: 'ignore',
+      },
     });
+    closeSync(said);
+    const late = signal ? `\nended by ${signal}, at the latest after ${timeout / 1000} s` : '';
+    return { status, stderr: readFileSync(join(work, 'said.txt'), 'utf8') + late };
+  };
   const findPython = () => {
     const given = process.env.VOLUME_VIEW_PYTHON;
     if (given) return given;

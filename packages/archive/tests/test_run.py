@@ -1,5 +1,6 @@
 """Whole runs of the command on a cluster of this machine: what is found, what is written, what no file says, and what breaks in between."""
 import contextlib
+import faulthandler
 import io
 import json
 import logging
@@ -26,9 +27,15 @@ from helpers import COMMAND, PLANTED, catalogue_of, children_of, command_of, sca
 
 MORE = ["--", "--poster", "0"]
 
+# Seconds for a run as a process of its own.
+LIMIT = 150
+
 
 class Archive(unittest.TestCase):
     def setUp(self):
+        # A run that does not end is a failure that shows where it waits.
+        faulthandler.dump_traceback_later(2 * LIMIT, exit=True)
+        self.addCleanup(faulthandler.cancel_dump_traceback_later)
         # Temporary folders of batches are below it too, so that what is left of them is seen.
         self.work = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.work, True)
@@ -83,7 +90,7 @@ class Runs(Archive):
         alone = self.work / "alone"
         (self.work / "alone.private").mkdir()
         (self.work / "alone.private/salt").write_text((self.work / "site.private/secret").read_text())
-        subprocess.run([*COMMAND.split(), str(self.folder), "--out", str(alone), "--poster", "0"], capture_output=True)
+        subprocess.run([*COMMAND.split(), str(self.folder), "--out", str(alone), "--poster", "0"], capture_output=True, timeout=LIMIT)
         self.assertEqual(scans_in(alone), scans_in(self.site))
         for name in scans_in(alone):
             for file in (alone / name).iterdir():
@@ -104,8 +111,10 @@ class Runs(Archive):
     def test_workers_that_are_killed_lose_nothing(self):
         write_niftis(self.folder, 60, {5})
         run = self.start()
-        killed = 0
+        killed, until = 0, time.monotonic() + LIMIT
+        self.addCleanup(run.kill)
         while run.poll() is None:
+            self.assertLess(time.monotonic(), until, "the run ends")
             time.sleep(0.7)
             workers = [pid for pid in children_of(run.pid) if "--multiprocessing" in command_of(pid) or "spawn_main" in command_of(pid)]
             busy = [pid for pid in workers if any("volume-view-prepare" in command_of(child) for child in children_of(pid))]
@@ -119,6 +128,7 @@ class Runs(Archive):
     def test_a_run_that_is_killed_goes_on(self):
         write_niftis(self.folder, 60)
         run = self.start()
+        self.addCleanup(run.kill)
         until = time.monotonic() + 60
         # A batch is written down, and others are not.
         journal = self.work / "site.private/journal.jsonl"
@@ -145,7 +155,7 @@ class Runs(Archive):
             'cp -r "$0" "$0.copy"; exit $status'
         )
         command = [sys.executable, "-m", "volume_view_archive", *self.arguments()]
-        run = subprocess.run(["unshare", "-rm", "sh", "-c", script, str(self.site), *command], capture_output=True, text=True)
+        run = subprocess.run(["unshare", "-rm", "sh", "-c", script, str(self.site), *command], capture_output=True, text=True, timeout=LIMIT)
         if run.returncode == 77 or "unshare" in run.stderr[:20]:
             self.skipTest("this system lets nobody mount a small disk")
         self.assertRegex(run.stderr, r"no space is left [^;]+; make room, and run the command again\nstatus 1\n")
