@@ -20,4 +20,9 @@ export async function check(name, body) {
 export function finish() {
   console.log(`${passed} passed, ${failed} failed`);
   process.exitCode = failed > 0 ? 1 : 0;
+  // A check that failed may have left a server or a program that runs, and then this process would never end.
+  setTimeout(() => {
+    console.error('something still runs 10 seconds after the last check; it is ended');
+    process.exit();
+  }, 10_000).unref();
 }

@@ -55,7 +55,7 @@ process.on('exit', () => {
 
 /** @param {string} newest */
 function start(newest = '3') {
-  const args = ['--watch', '--newest', newest, '--every', '0.2', '--settle', '0.6', '--poster', '0'];
+  const args = ['--watch', '--newest', newest, '--every', '0.2', '--settle', '1.2', '--poster', '0'];
   watch = spawn(process.execPath, [program, folder, '--out', site, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
   let rest = '';
   watch.stdout?.on('data', (text) => {
@@ -110,13 +110,14 @@ await check('a file that is being written is not taken before it is whole', asyn
   const step = Math.ceil(bytes.length / 8);
   for (let at = 0; at < bytes.length; at += step) {
     appendFileSync(join(folder, 'a15.h5'), bytes.subarray(at, at + step));
-    await wait(250);
+    // Far less than the time for which a file has to stay: this process may have to wait for its turn.
+    await wait(100);
   }
   // Under another name it is not taken however long it stays.
   writeFileSync(join(folder, 'a20.h5.part'), bytes.subarray(0, 1000));
   writeFileSync(join(folder, '.a20.h5'), bytes.subarray(0, 1000));
   await until(() => minutesIn() === '5,10,15');
-  await wait(1500);
+  await wait(2500);
   assert.equal(count('failed'), 0, JSON.stringify(lines));
   writeFileSync(join(folder, 'a20.h5.part'), scanAt(20));
   renameSync(join(folder, 'a20.h5.part'), join(folder, 'a20.h5'));
@@ -130,7 +131,7 @@ await check('a broken file is listed once, and taken when it is whole', async ()
   assert.equal(lines.find(({ status }) => status === 'failed')?.code, 'format/corrupt');
   const table = () => readFileSync(join(`${site}.private`, 'scans.tsv'), 'utf8');
   await until(() => /failed\tformat\/corrupt\ta25.h5/.test(table()));
-  await wait(1500);
+  await wait(2500);
   assert.equal(count('failed'), 1);
   writeFileSync(join(folder, 'a25.h5'), scanAt(25));
   await until(() => minutesIn() === '15,20,25');
@@ -146,7 +147,7 @@ await check('old scans are removed, and files of old scans change nothing', asyn
   await until(() => folders() === 6);
   for (const minute of [1, 2, 3, 4]) writeFileSync(join(folder, `late${minute}.h5`), scanAt(minute));
   await until(() => count('done') === 11);
-  await wait(1500);
+  await wait(2500);
   assert.equal(minutesIn(), '25,30,35');
   assert.equal(folders(), 6);
   assert.equal(count('done'), 11, 'a scan that is removed is not made again');
@@ -163,7 +164,7 @@ await check('ended by SIGKILL it goes on, makes nothing twice, and leaves no hal
   const made = count('done');
   for (const minute of [45, 50, 55]) {
     writeFileSync(join(folder, `a${minute}.h5`), scanAt(minute));
-    await wait(700);
+    await wait(1300);
     await end('SIGKILL');
     for (const name of readdirSync(site).filter((one) => /^[0-9a-f]{16}/.test(one)))
       for (const file of ['index.html', 'volume.json', 'volume.png'])
@@ -171,7 +172,7 @@ await check('ended by SIGKILL it goes on, makes nothing twice, and leaves no hal
     start();
   }
   await until(() => minutesIn() === '45,50,55');
-  await wait(1500);
+  await wait(2500);
   assert.equal(new Set(lines.filter(({ status }) => status === 'done').map(({ id }) => id)).size, made + 3);
   assert.ok(count('done') <= made + 6, 'at most the scan that was being made is made again');
   assert.deepEqual(
@@ -184,7 +185,7 @@ await check('a file of the same bytes and another time is not made again', async
   const before = statSync(join(site, 'newest/scans.json')).mtimeMs;
   const made = count('done');
   utimesSync(join(folder, 'a55.h5'), 1e9, 1e9);
-  await wait(1500);
+  await wait(2500);
   assert.equal(count('done'), made);
   assert.equal(statSync(join(site, 'newest/scans.json')).mtimeMs, before);
 });

@@ -223,7 +223,7 @@ class Watched(Archive):
             job = Job(Place(str(self.folder)), Place(str(self.site)), tuple(COMMAND.split()), ("--poster", "0"), ledger.secret, 60, str(self.tmp))
             stop, said = threading.Event(), []
             watch = threading.Thread(
-                target=watch_archive, args=(client, job, ledger, Plan(), stop, said.append), kwargs={"every": 0.2, "settle": 0.5, "keep": 3}
+                target=watch_archive, args=(client, job, ledger, Plan(), stop, said.append), kwargs={"every": 0.2, "settle": 1.5, "keep": 3}
             )
             watch.start()
             try:
@@ -237,7 +237,8 @@ class Watched(Archive):
                 for at in range(0, len(whole), len(whole) // 6 + 1):
                     with broken.open("ab") as file:
                         file.write(whole[at : at + len(whole) // 6 + 1])
-                    time.sleep(0.3)
+                    # Far less than the time for which a file has to stay: this process may have to wait for its turn.
+                    time.sleep(0.1)
                 self.wait_for([15, 20, 25])
                 self.assertFalse(any("1 failed" in words for words in said), said)
                 self.wait_for_folders(3)
