@@ -109,6 +109,7 @@ export const FOLDERS = {
     'analyze',
     'afni',
     'npy',
+    'mrc',
     'tiff',
     'zarr',
     'packed',

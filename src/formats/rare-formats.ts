@@ -3,6 +3,7 @@ import { afni } from './afni/afni-format.ts';
 import { analyze } from './analyze/analyze-format.ts';
 import { dicom } from './dicom/dicom-format.ts';
 import { mgh } from './mgh/mgh-format.ts';
+import { mrc } from './mrc/mrc-format.ts';
 import { npy } from './npy/npy-format.ts';
 import { bzip2 } from './packed/bzip2-format.ts';
 import { zstd } from './packed/zstd-format.ts';
@@ -16,6 +17,7 @@ import { vti } from './vti/vti-format.ts';
  */
 export const rareFormats: readonly VolumeFormat[] = [
   mgh,
+  mrc,
   analyze,
   npy,
   vti,

@@ -24,7 +24,7 @@ const maxStarts = 2 ** 11;
 const maxManifestBytes = 2 ** 26;
 
 /** Of packed files, the endings of those that hold a volume, and not the data of a header. */
-const packedVolume = /\.(nii|mgh|mha|nrrd|npy|vti|mnc)\.(gz|bz2|zst)$/i;
+const packedVolume = /\.(nii|mgh|mha|nrrd|npy|vti|mnc|mrcs?|ccp4|map)\.(gz|bz2|zst)$/i;
 
 const everyFormat: readonly Format[] = [...allFormats, ...rareFormats];
 

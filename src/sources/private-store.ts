@@ -6,7 +6,7 @@ import type { ByteStore, FileStat, ReadOptions } from './byte-store.ts';
 
 /** Endings of names that say what is in a file, and nothing about who is in it. */
 const known =
-  /(\+orig|\+tlrc)?(\.(nii|gz|dcm|dicom|ima|nrrd|nhdr|mha|mhd|raw|zraw|hdr|img|head|brik|mgh|mgz|vti|npy|mnc|json|png|jpe?g|webp|h5|hdf5?|nc4?|bin|dat|txt|csv|ctbl|label|zip|tiff?|bz2|zst|xz|z|rtf|pdf|doc|docx|html|xml))+$/i;
+  /(\+orig|\+tlrc)?(\.(nii|gz|dcm|dicom|ima|nrrd|nhdr|mha|mhd|raw|zraw|hdr|img|head|brik|mgh|mgz|mrcs?|ccp4|map|vti|npy|mnc|json|png|jpe?g|webp|h5|hdf5?|nc4?|bin|dat|txt|csv|ctbl|label|zip|tiff?|bz2|zst|xz|z|rtf|pdf|doc|docx|html|xml))+$/i;
 
 /**
  * The files of another store under names that say nothing: `folder-1/file-12.dcm`. People call files after patients, and messages

@@ -4,7 +4,7 @@ import type { Volume } from './volume.ts';
 type Described = Pick<Volume, 'anatomical' | 'format' | 'unit'>;
 
 /** Formats that count lengths in mm, whatever lies in their world. */
-const inMillimetres = /^(NIfTI|DICOM|NRRD|MetaImage|MGH|Analyze|AFNI|MINC|OME-Z)/i;
+const inMillimetres = /^(NIfTI|DICOM|NRRD|MetaImage|MGH|MRC|Analyze|AFNI|MINC|OME-Z)/i;
 
 /** Units of what no patient has. */
 const weather = /^(dBZ|m\/s|mm\/h)$/i;

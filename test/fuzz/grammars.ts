@@ -13,7 +13,7 @@ import { nexrad } from './grammars/nexrad.ts';
 import { nifti } from './grammars/nifti.ts';
 import { png } from './grammars/png.ts';
 import { rainbow } from './grammars/rainbow.ts';
-import { afni, analyze, mgh, npy, vti } from './grammars/rare-formats.ts';
+import { afni, analyze, mgh, mrc, npy, vti } from './grammars/rare-formats.ts';
 import { tiff } from './grammars/tiff.ts';
 import { video } from './grammars/video.ts';
 import { bricks, zarr } from './grammars/zarr.ts';
@@ -33,6 +33,7 @@ export const grammars: Readonly<Record<string, Grammar>> = {
   nrrd,
   metaimage: metaImage,
   mgh,
+  mrc,
   analyze,
   npy,
   tiff,

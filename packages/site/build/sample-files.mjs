@@ -49,6 +49,7 @@ export const missingFiles = {
   'angio.nii.gz': 'an angiogram',
   'heart.nii.gz': 'a volume of a heart',
   'mosaic.png': 'an image of slices',
+  'molecule.map.gz': 'a map of a molecule',
   'N0B.nids': 'four tilts of a radar',
   'N46E007.hgt': 'heights of the Alps',
   'above.webp': 'a picture',

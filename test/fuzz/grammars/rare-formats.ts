@@ -42,6 +42,41 @@ export const mgh: Grammar = (random) => {
   ]);
 };
 
+/** MRC: sizes, modes, cells, stacks and byte orders that lie; packed with gzip or not. Source: MRC2014 */
+export const mrc: Grammar = (random) => {
+  const [mode, bytes] = random.pick([
+    [0, 1],
+    [1, 2],
+    [2, 4],
+    [6, 2],
+    [12, 2],
+  ] as const);
+  const size = [random.int(1, 9), random.int(1, 9), random.int(1, 9)];
+  const isLittle = random.chance(0.7);
+  const out = isLittle ? little() : big();
+  const extended = random.pick([0, 0, 80]);
+  out.u32(...size.map((n) => random.size(n)), random.or<number>(mode, 3, 4, 16, 101, 77));
+  out.u32(...size.map(() => random.size(0)), ...size.map((n) => random.size(n)));
+  out.f32(...[10, 20, 30, 90, 90, 100].map((entry) => random.number(entry)));
+  out
+    .u32(
+      ...random.pick([
+        [1, 2, 3],
+        [3, 1, 2],
+        [0, 0, 0],
+        [random.size(1), 2, 3],
+      ]),
+    )
+    .f32(0, 1, 0.5);
+  out.u32(random.or(1, 0, 401), random.size(extended)).zeros(56);
+  out.u32(random.or(0, 1_146_047_817), random.or(0, 1)).zeros(36);
+  out.f32(...[0, 0, 5].map((entry) => random.number(entry))).text(random.or('MAP ', 'MAP\0'));
+  const stamp = random.or(isLittle ? 0x44 : 0x11, 0, 0x11, 0x44);
+  out.u8(stamp, stamp, 0, 0).zeros(1024 - out.length);
+  out.put(random.bytes(extended + bytes * product(size)));
+  return mayPack(random, out.finish(), ['a.mrc', 'a.map.gz']);
+};
+
 /** Analyze and NIfTI pairs: a header that lies, samples in another file or not there. Sources: nifti1.h, Mayo's dbh.h */
 export const analyze: Grammar = (random) => {
   const [code, bytes] = random.pick([
