@@ -14,7 +14,7 @@ export const MAY_IMPORT = {
   messages: ['core'],
   volume: ['core'],
   optics: ['core', 'volume'],
-  bricks: ['volume', 'optics'],
+  bricks: ['core', 'volume', 'optics'],
   radar: ['core', 'volume', 'optics'],
   quality: ['core', 'volume', 'optics'],
   formats: ['core', 'volume', 'optics', 'bricks', 'radar'],

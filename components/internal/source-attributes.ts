@@ -56,6 +56,12 @@ export class SourceAttributes extends LookAttributes {
   @property({ attribute: 'max-bytes', kind: number }) maxBytes!: number | null;
 
   /**
+   * Bytes of the GPU's memory that the bricks of a large OME-Zarr may take, `512e6` for 512 MB; by default 256 MiB, and half of that on devices with little memory. All
+   * elements of a page share what the largest of these numbers says.
+   */
+  @property({ attribute: 'max-gpu-bytes', kind: number }) maxGpuBytes!: number | null;
+
+  /**
    * Whether cookies and logins are sent to other servers than the page's own, as for `<img crossorigin>`: `anonymous` or `use-credentials`. It counts for all that the
    * element fetches, also for elements inside.
    * @default anonymous

@@ -2,30 +2,41 @@
 // the values that the voxels may have there are put through the transfer function.
 import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
+import type { DetailField } from './detail-field.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
-import { cellFinder, residentSampler } from './resident-field.ts';
-import type { Pyramid } from './pyramid.ts';
+import { atOnce } from '../core/waiting.ts';
+import type { Waiting } from '../core/waiting.ts';
 
 /** What the estimate needs to know. */
 export interface DetailScene {
-  readonly pyramid: Pyramid;
-  /** The level of each cell (brick of level 0) that is resident. */
-  readonly levelOf: Uint8Array;
+  readonly field: DetailField;
   readonly rays: RaySetup;
   readonly sums: SpanSums;
   /** Length of a step in bounding diameters: the same as in the sums. */
   readonly step: number;
+  /** The same in voxels of the finest level; 1 if undefined. */
+  readonly voxels?: number;
   /** What is known of the values near a place. */
   readonly hidden: HiddenValues;
   /** Rays across and down. */
   readonly across: number;
+  /** Whether a place of the unit cube is cut away; nothing is if undefined. */
+  readonly isAway?: (x: number, y: number, z: number) => boolean;
   /** Shifts rays within their pixels, 0..1. */
   readonly shift?: readonly [number, number];
 }
 
-/** The estimate. Energies are sums over rays and four channels of squared differences, 0..1. */
+/** Receives what is found, for each cell that a ray meets. Energies are sums over rays and four channels of squared differences, 0..1. */
+export interface DetailListener {
+  /** How much less the energy is if the cell has this level instead of its present one. */
+  gain(cell: number, level: number, energy: number): void;
+  /** How much more the energy would be if the cell had the next coarser level; undefined if nobody asks. */
+  loss?(cell: number, energy: number): void;
+}
+
+/** The estimate. */
 export interface DetailEstimate {
   /** By cell * number of levels + level: how much less the energy is if the cell has this level; 0 from its present level on. */
   readonly gains: Float64Array;
@@ -42,14 +53,23 @@ const farShare = 0.5;
 /** Neighbouring voxels' residuals have the same sign over about so many voxels, times 2^level. */
 const correlated = 0.5;
 
-/** Estimates what the coarse bricks of a picture hide, and what finer ones would bring. */
-export function estimateDetail(scene: DetailScene): DetailEstimate {
-  const { pyramid, levelOf, rays, step, across, shift = [0.5, 0.5] } = scene;
-  const levels = pyramid.levels.length;
-  const gains = new Float64Array(levelOf.length * levels);
-  const tracer = traceRays(scene);
+/** Estimates what the coarse bricks of a picture hide, and what finer ones would bring. @param cells - their number */
+export function estimateDetail(scene: DetailScene, cells: number): DetailEstimate {
+  const { levels } = scene.field;
+  const gains = new Float64Array(cells * levels);
+  const rms = atOnce(seekDetail(scene, { gain: (cell, level, energy) => (gains[cell * levels + level] += energy) }));
+  return { gains, rms };
+}
+
+/**
+ * The same, with a pause after each row of rays.
+ * @returns the root mean square of the differences over the rays that meet the volume, in 1/255
+ */
+export function* seekDetail(scene: DetailScene, listener: DetailListener): Waiting<number> {
+  const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
+  const tracer = traceRays(scene, listener.loss ? 1 : 0);
   let [energy, covered] = [0, 0];
-  for (let row = 0; row < across; row++)
+  for (let row = 0; row < across; row++) {
     for (let column = 0; column < across; column++) {
       const ray = rayThrough(rays, ((column + shift[0]) / across) * 2 - 1, 1 - ((row + shift[1]) / across) * 2);
       const [enter, exit] = crossVolume(rays, ray);
@@ -58,9 +78,11 @@ export function estimateDetail(scene: DetailScene): DetailEstimate {
       const seen = tracer(ray, entry, exit, step / ray.lengthPerT);
       if (!seen) continue;
       covered++;
-      energy += addGains(seen, levels, gains);
+      energy += addGains(seen, field.levels, listener);
     }
-  return { gains, rms: 255 * Math.sqrt(energy / Math.max(1, 4 * covered)) };
+    yield;
+  }
+  return 255 * Math.sqrt(energy / Math.max(1, 4 * covered));
 }
 
 /** What one ray says: for each cell that it meets, and each level up to its present one, its bias and its variance. */
@@ -77,7 +99,7 @@ const perLevel = 5;
  * Biases of a ray's cells add up, variances do too. What a cell brings is the part of the ray's whole energy that goes with it.
  * @returns the energy of the ray
  */
-function addGains({ cells, present, found }: RayDetail, levels: number, gains: Float64Array): number {
+function addGains({ cells, present, found }: RayDetail, levels: number, listener: DetailListener): number {
   const total = new Float64Array(perLevel);
   cells.forEach((_, n) => {
     const at = (n * levels + present[n]) * perLevel;
@@ -92,8 +114,13 @@ function addGains({ cells, present, found }: RayDetail, levels: number, gains: F
         shared += (found[now + c] - found[then + c]) * total[c];
         own += found[now + c] ** 2 - found[then + c] ** 2;
       }
-      gains[cell * levels + level] += Math.max(0, found[now + 4] - found[then + 4] + Math.max(shared, own));
+      listener.gain(cell, level, Math.max(0, found[now + 4] - found[then + 4] + Math.max(shared, own)));
     }
+    if (!listener.loss || present[n] + 1 >= levels) return;
+    const next = now + perLevel;
+    let more = found[next + 4] - found[now + 4];
+    for (let c = 0; c < 4; c++) more += found[next + c] ** 2 - found[now + c] ** 2;
+    listener.loss(cell, Math.max(0, more));
   });
   return total[4] + total[0] ** 2 + total[1] ** 2 + total[2] ** 2 + total[3] ** 2;
 }
@@ -105,6 +132,9 @@ type Tracer = (
   dt: number,
 ) => RayDetail | null;
 
+/** The level of what is cut away. */
+const cut = 255;
+
 /** Steps of a ray; longer rays are cut. */
 const maxSteps = 8192;
 
@@ -112,14 +142,13 @@ const maxSteps = 8192;
  * Walks a ray twice: forward for what would reach the eye from each step if the hidden values were there, backward for what the resident
  * levels show behind it. With both, the differences of all steps add up to the difference of the two rays, however large it is:
  * C' - C = sum of T'_n (S'_n - S_n - (a'_n - a_n) B_n).
+ * @param coarser - so many levels beyond the present one of a cell are looked at too
  */
-function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
-  const levels = pyramid.levels.length;
-  const valueAt = residentSampler(pyramid, levelOf);
-  const cellAt = cellFinder(pyramid);
+function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, coarser: number): Tracer {
+  const { levels } = field;
   const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
   const [shown, spreads] = [new Float64Array(4 * maxSteps), new Float64Array(sumCount * maxSteps)];
-  const [cellOf, blockOf] = [new Int32Array(maxSteps), new Int32Array(maxSteps)];
+  const [cellOf, blockOf, levelAt] = [new Int32Array(maxSteps), new Int32Array(maxSteps), new Uint8Array(maxSteps)];
   const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
   /** What the hidden values of a level would show at a step; false where it hides nothing. */
   const seeHidden = (n: number, level: number, into: Float64Array): boolean => {
@@ -143,8 +172,9 @@ function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
     for (; used < count && through > opaque; used++) {
       const t = entry + (used + 0.5) * dt;
       const [x, y, z] = [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
-      const value = valueAt(x, y, z);
-      const cell = cellAt(x, y, z);
+      const isCut = isAway?.(x, y, z) === true;
+      const value = isCut ? NaN : field.valueAt(x, y, z);
+      const cell = field.cellAt(x, y, z);
       cellOf[used] = cell;
       blockOf[used] = hidden.blockAt(x, y, z);
       values[used] = value;
@@ -152,7 +182,9 @@ function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
       means.fill(0);
       if (!Number.isNaN(value)) sums.addMeans(Number.isNaN(last) ? value : last, value, 1, means);
       for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];
-      if (levelOf[cell] === 0 || !seeHidden(used, levelOf[cell], spread)) spread.set(means);
+      const level = isCut ? cut : field.levelOf(cell);
+      levelAt[used] = level;
+      if (isCut || level === 0 || !seeHidden(used, level, spread)) spread.set(means);
       spreads.set(spread, sumCount * used);
       through *= 1 - spread[3];
       isSeen ||= means[3] > 0 || spread[3] > 0;
@@ -165,9 +197,10 @@ function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
     const back = [0, 0, 0, 0];
     for (let n = used - 1; n >= 0; n--) {
       const cell = cellOf[n];
-      const level = levelOf[cell];
+      const level = levelAt[n];
       const own = 4 * n;
-      if (level > 0) {
+      const last = level === cut ? 0 : Math.min(levels - 1, level + coarser);
+      if (last > 0) {
         let slot = cells.length - 1;
         if (cells[slot] !== cell) {
           slot = cells.indexOf(cell);
@@ -177,7 +210,7 @@ function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
             for (let i = 0; i < levels * perLevel; i++) found.push(0);
           }
         }
-        for (let at = 1; at <= level; at++) {
+        for (let at = 1; at <= last; at++) {
           if (at === level) spread.set(spreads.subarray(sumCount * n, sumCount * (n + 1)));
           else if (!seeHidden(n, at, spread)) continue;
           const start = (slot * levels + at) * perLevel;
@@ -191,7 +224,7 @@ function traceRays({ pyramid, levelOf, sums, hidden }: DetailScene): Tracer {
             variance += Math.max(0, square - (spread[c] - back[c] * spread[3]) ** 2);
           }
           if (hidden.max(blockOf[n], at) > 0)
-            found[start + 4] += visible[n] ** 2 * variance * Math.max(1, correlated * 2 ** at);
+            found[start + 4] += visible[n] ** 2 * variance * (Math.max(1, correlated * 2 ** at) / voxels);
         }
       }
       for (let c = 0; c < 4; c++) back[c] = shown[own + c] + (1 - shown[own + 3]) * back[c];

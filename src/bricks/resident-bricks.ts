@@ -33,6 +33,11 @@ export class ResidentBricks implements FinerVoxels {
   readonly macrocells: Macrocells;
   /** Counts changes of `pages`, and of `macrocells`. */
   readonly changes = { pages: 0, cells: 0 };
+  /** Whether the present view gets more of them. */
+  moving = false;
+  /** Slots that there may be. */
+  capacity = Infinity;
+  #current: { readonly volume: object; readonly cells: number; readonly now: object } | null = null;
   readonly #bricks = new Map<string, ResidentBrick>();
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
   readonly #free: number[] = [];
@@ -66,6 +71,13 @@ export class ResidentBricks implements FinerVoxels {
   get grid(): GridFrame {
     const level = this.#counts.findIndex((count) => count > 0);
     return level < 0 ? this.volume.grid : gridOfLevel(this.volume.grid, this.layout.levels[level]);
+  }
+
+  current<V extends { readonly macrocells: Macrocells }>(volume: V): V {
+    const { cells } = this.changes;
+    if (this.#current?.volume !== volume || this.#current.cells !== cells)
+      this.#current = { volume, cells, now: { ...volume, macrocells: this.macrocells } };
+    return this.#current.now as V;
   }
 
   /** All bricks, in the order in which they came. */
@@ -121,21 +133,49 @@ export class ResidentBricks implements FinerVoxels {
     this.changes.pages++;
   }
 
+  /** From now on there are at most so many slots, and no more bricks than that: those in others get another one. */
+  fit(capacity: number): void {
+    this.capacity = capacity;
+    if (this.slots <= capacity) return;
+    const moved = this.#bySlot.slice(capacity).filter((brick) => brick !== undefined);
+    for (const brick of moved) this.remove(brick);
+    this.#bySlot.length = capacity;
+    this.#free.length = 0;
+    for (let slot = 0; slot < capacity; slot++) if (!this.#bySlot[slot]) this.#free.push(slot);
+    for (const brick of moved) this.add(brick, brick);
+  }
+
   /** The level of a cell's brick; the number of levels where the volume itself is shown. */
   levelOf(cell: number): number {
     return (this.pages[4 * cell + 3] || this.layout.levels.length + 1) - 1;
   }
 
+  /** The slot of the brick that a cell shows; -1 where it has none. */
+  slotOf(cell: number): number {
+    const { pages } = this;
+    const page = 4 * cell;
+    return pages[page + 3] === 0 ? -1 : pages[page] + 256 * pages[page + 1] + 65536 * pages[page + 2];
+  }
+
   storedAt(place: Vector3): number | undefined {
     const brick = this.#brickAt(place);
+    return brick && interpolate(brick.samples, slotDimensions, this.#placeIn(brick, place));
+  }
+
+  nearestAt(place: Vector3): number | undefined {
+    const brick = this.#brickAt(place);
     if (!brick) return undefined;
-    const { scale, shift, dimensions } = this.layout.levels[brick.level];
-    // Beyond the outermost voxels' centres values stay as they are there.
-    const inSlot = place.map((x, axis) => {
+    const [i, j, k] = this.#placeIn(brick, place).map((x) => Math.min(slotSide - 1, Math.floor(x * slotSide)));
+    return brick.samples[i + slotSide * (j + slotSide * k)];
+  }
+
+  /** A place in the unit cube of a brick's slot. Beyond the outermost voxels' centres values stay as they are there. */
+  #placeIn({ level, at }: ResidentBrick, place: Vector3): Vector3 {
+    const { scale, shift, dimensions } = this.layout.levels[level];
+    return place.map((x, axis) => {
       const voxel = Math.min(Math.max(x * scale[axis] + shift[axis], 0.5), dimensions[axis] - 0.5);
-      return (voxel - brickSide * brick.at[axis] + brickHalo) / slotSide;
-    });
-    return interpolate(brick.samples, slotDimensions, inSlot as unknown as Vector3);
+      return (voxel - brickSide * at[axis] + brickHalo) / slotSide;
+    }) as unknown as Vector3;
   }
 
   voxelAt(place: Vector3): Vector3 {
@@ -156,10 +196,7 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   #brickAt(place: Vector3): ResidentBrick | undefined {
-    const page = 4 * this.cellAt(place);
-    const { pages } = this;
-    if (pages[page + 3] === 0) return undefined;
-    return this.#bySlot[pages[page] + 256 * pages[page + 1] + 65536 * pages[page + 2]];
+    return this.#bySlot[this.slotOf(this.cellAt(place))];
   }
 
   #show(cell: number, brick: ResidentBrick | undefined): void {

@@ -2,6 +2,7 @@ import { interpolate } from '../optics/rays/interpolate.ts';
 import { storedField } from '../optics/rays/ray-field.ts';
 import type { FieldStage } from '../optics/rays/ray-stages.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { DetailField } from './detail-field.ts';
 import { toLevel } from './pyramid.ts';
 import type { Pyramid } from './pyramid.ts';
 
@@ -32,6 +33,16 @@ export function residentSampler(pyramid: Pyramid, levelOf: Uint8Array): (x: numb
     const [sx, sy, sz] = scales[level];
     const { samples, dimensions } = pyramid.levels[level];
     return interpolate(samples, dimensions, [x * sx, y * sy, z * sz]);
+  };
+}
+
+/** What an estimate of the detail reads of a pyramid. */
+export function detailField(pyramid: Pyramid, levelOf: Uint8Array): DetailField {
+  return {
+    levels: pyramid.levels.length,
+    valueAt: residentSampler(pyramid, levelOf),
+    cellAt: cellFinder(pyramid),
+    levelOf: (cell) => levelOf[cell],
   };
 }
 

@@ -1,5 +1,21 @@
 import type { GridFrame } from './grid.ts';
+import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
+
+/**
+ * A level of a pyramid that is read in bricks. `indexToWorld` is what the file says. So the place of a voxel in another level follows from both
+ * matrices, and not from the factors alone: many files have their coarse voxels half a voxel away from where the factors put them.
+ */
+export interface FinerLevel extends GridFrame {
+  /** Bricks along i, j and k: those at the upper ends may reach over the end. */
+  readonly bricks: Vector3;
+  /**
+   * Voxels of the finest level that one voxel has along i, j and k: whole numbers from 1, not always powers of two, nor the same along all axes. Brick
+   * `at` of the finest level lies in brick `floor(at / factors)` of this level (no further than its last one): the place of any of its points is at
+   * most half a voxel outside that brick, and so between voxels that the brick has.
+   */
+  readonly factors: Vector3;
+}
 
 /** Voxels that are smaller than those of a volume, at some of its places: bricks of the finer levels of its pyramid. */
 export interface FinerVoxels {
@@ -9,8 +25,14 @@ export interface FinerVoxels {
   readonly finest: GridFrame;
   /** The same for the finest level of which something is there now: it says how finely rays have to be sampled. */
   readonly grid: GridFrame;
+  /** Whether more of them are on their way for the present view: pictures are not final. */
+  readonly moving: boolean;
+  /** The volume with the macrocells of now: another object if they have changed since the last call, so that what is made of them is made again. */
+  current<V extends { readonly macrocells: Macrocells }>(volume: V): V;
   /** The stored value at a place of the unit cube; NaN for no data, and undefined where the volume itself says more. */
   storedAt(place: Vector3): number | undefined;
+  /** The same of the nearest voxel. */
+  nearestAt(place: Vector3): number | undefined;
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;
 }

@@ -1,5 +1,5 @@
 import type { ChannelColors } from './channels.ts';
-import type { FinerVoxels } from './finer-voxels.ts';
+import type { FinerLevel, FinerVoxels } from './finer-voxels.ts';
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
 import type { IndexedSamples, Rounded, Unkept } from './index-numbers.ts';
@@ -133,6 +133,8 @@ export interface Provenance {
   readonly lossy?: Lossy;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
+  /** Set where it is a coarse level of a pyramid of which finer levels, the finest first, can be read in bricks as a view needs them. */
+  readonly levels?: readonly FinerLevel[];
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are those of the large one. */
   readonly coarse?: true;
 }

@@ -7,7 +7,7 @@ import type { BrickStore } from '../formats/base/brick-store.ts';
 import type { LoadRequest } from '../formats/base/load-request.ts';
 
 /** Opens a pyramid, as the ordinary volume is loaded. */
-export interface BricksRequest extends Omit<LoadRequest, 'limits'> {
+export interface BricksRequest extends Omit<LoadRequest, 'limits' | 'finer'> {
   /** The worker's end. */
   readonly bricks: MessagePort;
   /** Of the ordinary volume: data value = slope * sample + intercept. */

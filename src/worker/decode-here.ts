@@ -17,12 +17,16 @@ const effort = 1 / 8;
 export async function decodeHere(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   try {
     const { fetch } = environment;
-    return await decodeRequest(request, {
-      ...environment,
-      fetch: fetch && checkedFetch(fetch),
-      budget: new Budget(maxBytes, effort),
-      breathe,
-    });
+    // Only a worker reads bricks.
+    return await decodeRequest(
+      { ...request, finer: false },
+      {
+        ...environment,
+        fetch: fetch && checkedFetch(fetch),
+        budget: new Budget(maxBytes, effort),
+        breathe,
+      },
+    );
   } catch (error) {
     if (environment.signal?.aborted) throw environment.signal.reason;
     if (error instanceof VolumeViewError && error.code === 'format/too-large') throw explainLimits(error);

@@ -56,7 +56,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   let { files } = request;
   // Of a file of several volumes, those that are shown are fetched.
   let isEnough = request.scan && !files ? startsSeries : null;
-  const settings = { ...request.settings, scan: request.scan };
+  const settings = { ...request.settings, scan: request.scan, finer: request.finer };
   const { credentials } = settings;
   let named: RequestCredentials | undefined = credentials;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {

@@ -1,6 +1,7 @@
 // The worker's side of a pyramid that is read in bricks. Loaded when it is needed.
 import { asVolumeViewError } from '../core/errors.ts';
 import type { BrickStore } from '../formats/base/brick-store.ts';
+import { chooseKeptBytes } from '../formats/base/brick-limits.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
 import { Queue } from '../formats/base/queue.ts';
@@ -42,14 +43,6 @@ async function openBricks(
   return tree
     ? openZarrBricks(tree, settings, { signal, requests, before, scaling, keptBytes: chooseKeptBytes() })
     : null;
-}
-
-/** Gibibytes of the memory of a small device, and bytes of unpacked chunks that are kept there. */
-const [smallDevice, keptOnSmall] = [4, 2 ** 26];
-
-function chooseKeptBytes(): number | undefined {
-  const { deviceMemory = Infinity } = (globalThis.navigator ?? {}) as { readonly deviceMemory?: number };
-  return deviceMemory <= smallDevice ? keptOnSmall : undefined;
 }
 
 /** No volume is made here that a device would have to hold. */

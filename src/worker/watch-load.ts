@@ -35,7 +35,7 @@ export function watchLoad(url: string, signal: AbortSignal, onProgress: LoadProg
     controller.abort(
       new VolumeViewError(
         'source/stalled',
-        `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network and the file, and load it again`,
+        `${url.slice(0, 300)} came no further for ${silent} seconds, after ${loaded} bytes; check the network, and load it again`,
       ),
     );
   }, 1000);

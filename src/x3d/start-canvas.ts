@@ -35,7 +35,7 @@ export function startCanvas(
     element.remove();
     throw new VolumeViewError(
       'webgl/unavailable',
-      'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the driver gave up; reload the page.',
+      'there is no WebGL context: the page may have too many 3D pictures, or the graphics driver stopped; reload the page',
     );
   }
   // It would ask for VR headsets, and a frame without that permission reports this on the console.

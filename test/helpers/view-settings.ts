@@ -18,6 +18,7 @@ export const noAttributes: GivenAttributes = {
   clean: null,
   series: null,
   maxBytes: null,
+  maxGpuBytes: null,
   crossOrigin: null,
   time: null,
   autoplay: null,

@@ -50,6 +50,8 @@ export type DecodedPolarVolume = Decoded & {
 export interface DecodeSettings extends SourceSettings {
   /** Which scan of a manifest, or of a file of several volumes, to load; the first if undefined. */
   readonly scan?: ScanTarget;
+  /** See `LoadRequest`. */
+  readonly finer?: boolean;
   /** How an image's channels make one number; gray if undefined. */
   readonly channels?: ChannelUse;
   /** What the pixels of a radar's mosaic stand for, from a manifest. */

@@ -31,6 +31,8 @@ export interface LoadRequest {
   readonly settings?: SourceSettings;
   /** Of a manifest with scans, or a file of several volumes: which one. Where undefined it is the first, and a file is not opened as scans. */
   readonly scan?: ScanTarget;
+  /** Whether its page can show a coarse level of a pyramid with bricks of finer ones over it. */
+  readonly finer?: boolean;
   /** Set once the file is open: where that scan lies, or the numbers of one place in all scans. */
   readonly data?: ScanData | PlaceData;
   /**

@@ -19,6 +19,8 @@ export interface SourceSettings extends MosaicSettings, RadarSettings {
   readonly region?: readonly number[];
   /** Bytes that the level of a pyramid may have; what the device holds where undefined. */
   readonly maxBytes?: number;
+  /** Bytes that the bricks of a page may take on its GPU; what the device can afford where undefined. */
+  readonly maxGpuBytes?: number;
   /** Of labels: the length, world units, than which the voxels of a level need not be shorter. Then no level is read that may have means. */
   readonly labelDetail?: number;
   /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */

@@ -8,6 +8,8 @@ import type { OmeAxes } from './ome-axes.ts';
 import { worldOf } from './ome-levels.ts';
 import type { OmeLevel } from './ome-levels.ts';
 
+export type { ArrayBox } from './list-chunks.ts';
+
 /** Chunks that are asked for of one level, and bytes that are unpacked for it. */
 const [maxChunks, maxUnpacked] = [2 ** 16, 2 ** 33];
 

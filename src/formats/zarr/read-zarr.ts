@@ -9,17 +9,17 @@ import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
 import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
-import type { LevelBox } from './choose-level.ts';
+import type { ArrayBox, LevelBox } from './choose-level.ts';
 import { chooseTime } from './choose-time.ts';
 import { describeImage } from './describe-image.ts';
 import type { FileTree } from './file-tree.ts';
-import type { ArrayBox } from './list-chunks.ts';
 import { chooseChannels } from './ome-channels.ts';
 import { openImage } from './open-image.ts';
 import { labelLevels, nothingThere, sayCoarse, tooManyLabels } from './label-levels.ts';
 import { readBoxes } from './read-box.ts';
 import { limitsOfChannels, readChannels } from './read-channels.ts';
 import type { ChannelSamples } from './read-channels.ts';
+import { choosePinned } from './pinned-level.ts';
 import { suggestForTimes } from './suggest-for-times.ts';
 
 /** The load for which a volume is read. */
@@ -66,12 +66,16 @@ export async function readZarr(
   const stored = Math.min(4, levels[0].array.type.bytesPerSample);
   const limits = { ...load.limits, maxBytes: Math.min(load.limits.maxBytes, settings.maxBytes ?? Infinity) };
   const ofChannels = shown.kind === 'colors' ? limitsOfChannels(limits, shown.list.length, stored) : null;
-  const chosen = chooseLevel(
-    labelDetail === undefined ? boxes : labelLevels(boxes, labelDetail, image),
-    arrayBox,
-    ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : limits,
-    axes,
-  );
+  const pinned =
+    shown.kind === 'values' && times === 1 ? choosePinned(image, boxes, arrayBox, { limits, settings }) : null;
+  const chosen = pinned
+    ? pinned.box
+    : chooseLevel(
+        labelDetail === undefined ? boxes : labelLevels(boxes, labelDetail, image),
+        arrayBox,
+        ofChannels ? { ...ofChannels, maxBytes: stored * ofChannels.maxBytes } : limits,
+        axes,
+      );
   const coarsest = boxes[boxes.length - 1];
   if (!isReadable(chosen, arrayBox(chosen)))
     throw new VolumeViewError(
@@ -89,11 +93,14 @@ export async function readZarr(
     atTime = time,
   ): Promise<readonly ChannelSamples[]> => {
     const { array } = box.level;
+    const numbers = box === chosen && pinned?.numbers;
     countSampleBytes(`the ${image.format}`, box.dimensions, array.type);
     const arrayBoxes = channels.map((channel) => arrayBox(box, channel, atTime));
     const all = await readBoxes(tree, array, arrayBoxes, { ...load, onProgress });
     const chooseWhole = await wholeNumbersOf(array.type);
     return all.map((bytes) => {
+      // As its bricks are stored.
+      if (numbers) return { samples: numbers.store(bytes), slope: numbers.slope, intercept: numbers.intercept };
       const { scale, offset, ...rest } = storeSamples(bytes, array.type, array.littleEndian, {
         slope: 1,
         intercept: 0,
@@ -143,6 +150,15 @@ export async function readZarr(
   const volume = await read(chosen, load.onProgress);
   const [finest] = boxes;
   if (chosen === finest) return volume;
+  if (pinned) {
+    const [{ dimensions }] = pinned.levels;
+    const isAll = dimensions.every((n, axis) => n === finest.dimensions[axis]);
+    return {
+      ...volume,
+      levels: pinned.levels,
+      ...(!isAll && { reduced: { from: finest.dimensions, to: dimensions } }),
+    };
+  }
   const coarse = labelDetail === undefined ? undefined : sayCoarse(chosen, finest, labelDetail, axes);
   // Where even the coarsest level is too large, it is made smaller here, so that it is known from what. Labels have no mean.
   const { samples, dimensions, indexToWorld } =

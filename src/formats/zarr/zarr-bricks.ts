@@ -1,6 +1,7 @@
 import { brickSide } from '../../bricks/brick-data.ts';
 import type { BrickSamples } from '../../bricks/brick-data.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
+import { chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
 import { Budget } from '../base/budget.ts';
 import type { BrickStore } from '../base/brick-store.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
@@ -20,9 +21,6 @@ import { openImage } from './open-image.ts';
 import { readBrick } from './read-brick.ts';
 import { readResiduals } from './read-residuals.ts';
 
-/** Bytes of unpacked chunks that are kept, if nothing else is said, and the share of them that one brick may need. */
-const [keptBytes, shareOfBrick] = [2 ** 27, 1 / 4];
-
 /** Bricks that are put together at once: as many as requests. */
 const bricksAtOnce = 8;
 
@@ -32,7 +30,7 @@ export interface BrickOpening {
   readonly signal: AbortSignal;
   /** Limits the files that are read at once. */
   readonly requests: Queue;
-  /** Bytes of unpacked chunks that are kept; 128 MiB if undefined. */
+  /** Bytes of unpacked chunks that are kept; what this device can afford if undefined. */
   readonly keptBytes?: number;
   /** Bytes that may be held on this device; undefined where it does not say it. */
   readonly deviceBytes?: number;
@@ -51,7 +49,7 @@ export interface BrickOpening {
 export async function openZarrBricks(
   tree: FileTree,
   settings: DecodeSettings,
-  { signal, requests, keptBytes: most = keptBytes, deviceBytes, scaling, before = 0 }: BrickOpening,
+  { signal, requests, keptBytes: most = chooseKeptBytes(), deviceBytes, scaling, before = 0 }: BrickOpening,
 ): Promise<BrickStore | null> {
   const limited = limitReads(tree, requests);
   const opening = { budget: new Budget(deviceBytes), signal };

@@ -40,7 +40,7 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
 export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
-    "The graphics driver refused the ray-caster's program. Update the browser or the driver; else report it with this cause.",
+    'the graphics driver refused the program of the rays; update the browser or the driver',
     { cause: new Error(log ?? 'no log') },
   );
 }

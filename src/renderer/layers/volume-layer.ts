@@ -362,7 +362,8 @@ export class VolumeLayer {
 
   /** The volume as the code that skips empty space reads it. */
   get #opened(): VolumeData {
-    return this.#attached?.open(this.#volume!) ?? this.#volume!;
+    const volume = this.#volume!.finer?.current(this.#volume!) ?? this.#volume!;
+    return this.#attached?.open(volume) ?? volume;
   }
 
   /** The rays of a view; null without a volume, or if the grid is singular. */

@@ -19,7 +19,7 @@ function inSpareContext<T>(ask: (gl: Gl) => T): T {
   if (!gl) {
     throw new VolumeViewError(
       'webgl/unavailable',
-      'This browser can not draw 3D pictures here: it offers no WebGL. Switch on hardware acceleration in its settings, or use another browser or device.',
+      'this browser offers no WebGL here: switch on hardware acceleration in its settings, or use another browser or device',
     );
   }
   try {

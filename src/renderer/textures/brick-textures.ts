@@ -11,6 +11,14 @@ import type { Texels } from './fill-texture.ts';
 export const slotColumns = 16;
 export const slotRows = 8;
 
+/** The atlas grows by whole layers of slots. */
+export const slotsOfLayer = slotColumns * slotRows;
+
+/** A larger atlas is so many times as large, if there may be so many slots: all bricks have to be written again. */
+const growth = 4;
+
+const layersOf = (slots: number): number => Math.ceil(slots / slotsOfLayer);
+
 /** Cells in a row of the page table. */
 export const pageColumns = 1024;
 
@@ -50,11 +58,11 @@ export class BrickTextures {
     this.#pages = gl.createTexture();
     this.#levels = gl.createTexture();
     this.#writeLevels();
-    this.#grow(1);
+    this.#resize(1);
   }
 
   get bytes(): number {
-    return this.#layers * slotColumns * slotRows * slotSide ** 3 * this.packing.texels.bytes + this.bricks.pages.length;
+    return this.#layers * slotsOfLayer * slotSide ** 3 * this.packing.texels.bytes + this.bricks.pages.length;
   }
 
   /** What programs read, with the bricks that came since. */
@@ -86,8 +94,10 @@ export class BrickTextures {
     const { bricks } = this;
     if (this.#changes === bricks.changes.pages) return;
     this.#changes = bricks.changes.pages;
-    const layers = Math.ceil(bricks.slots / (slotColumns * slotRows));
-    if (layers > this.#layers) this.#grow(layers);
+    const layers = layersOf(bricks.slots);
+    const most = layersOf(bricks.capacity);
+    if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
+    else if (this.#layers > most) this.#resize(Math.max(1, most));
     for (let slot = 0; slot < bricks.slots; slot++) {
       const brick = bricks.inSlot(slot);
       if (brick && brick !== this.#written[slot]) this.#write(brick);
@@ -95,8 +105,8 @@ export class BrickTextures {
     this.#writePages();
   }
 
-  /** A larger atlas is filled again: WebGL has no quick way to copy a 3D texture, and the samples are kept for picks anyway. */
-  #grow(layers: number): void {
+  /** An atlas of another size is filled again: WebGL has no quick way to copy a 3D texture, and the samples are kept for picks anyway. */
+  #resize(layers: number): void {
     const { gl } = this;
     gl.deleteTexture(this.#atlas);
     this.#atlas = gl.createTexture();
@@ -117,11 +127,9 @@ export class BrickTextures {
     const { gl } = this;
     const { slot, samples } = brick;
     const { format, type } = this.packing.texels;
-    const place = [
-      slot % slotColumns,
-      Math.floor(slot / slotColumns) % slotRows,
-      Math.floor(slot / (slotColumns * slotRows)),
-    ].map((n) => n * slotSide);
+    const place = [slot % slotColumns, Math.floor(slot / slotColumns) % slotRows, Math.floor(slot / slotsOfLayer)].map(
+      (n) => n * slotSide,
+    );
     gl.bindTexture(gl.TEXTURE_3D, this.#atlas);
     prepareUpload(gl);
     const pixels = pixelsOf(this.packing.pack(samples));

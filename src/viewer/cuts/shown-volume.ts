@@ -39,6 +39,7 @@ export class ShownVolume {
 
   /** The visible part: cameras frame it, and steps are counted along its diagonal. To be read only where there is a volume. */
   get grid(): GridFrame {
-    return this.cuts.region ?? this.volume!.grid;
+    const { grid, finer } = this.volume!;
+    return this.cuts.region ?? finer?.grid ?? grid;
   }
 }

@@ -48,7 +48,7 @@ export class FrameDrawing {
     if (!scene) return false;
     const size = this.sizeIn(scene);
     // At rest too, the first picture of a view appears within a frame's time, and a better one follows.
-    const quick = inMotion || this.quality.undecided;
+    const quick = inMotion || (this.quality.undecided && !volume.finer?.moving);
     const plan = !quick
       ? this.planAtRest
       : untimed && !inMotion
@@ -59,7 +59,8 @@ export class FrameDrawing {
       ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs })
       : await this.#draw(scene, time, plan);
     if (!stats) return true;
-    const atRest = !inMotion && !loop.dirty && controller.scene === scene;
+    // What is coming changes the picture: its error is measured when all is there.
+    const atRest = !inMotion && !loop.dirty && controller.scene === scene && !volume.finer?.moving;
     // Report the picture at once if its error is known; else when the error has been measured.
     const isKnown = quick || this.quality.error !== null;
     if (isKnown) this.#notify(stats);
@@ -123,7 +124,8 @@ export class FrameDrawing {
 
   #converges({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
     const { controller, loop, shown } = this.pictures.parts;
-    if (!controller.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided)
+    const { coarse, finer } = shown.volume!;
+    if (!controller.scene || loop.dirty || loop.host.moving || coarse || finer?.moving || this.quality.undecided)
       return false;
     const full = this.sizeIn(controller.scene);
     const plan = this.planAtRest;

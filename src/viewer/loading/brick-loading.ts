@@ -1,5 +1,5 @@
 import type { BrickSamples } from '../../bricks/brick-data.ts';
-import type { BrickRoom } from './brick-room.ts';
+import type { SharedRoom } from './brick-room.ts';
 import type { RankedBrick } from '../../bricks/choose-bricks.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
 import { keyOfBrick } from '../../bricks/resident-bricks.ts';
@@ -18,7 +18,7 @@ const worthExchange = 1.25;
 export interface BrickLoadingParts {
   readonly bricks: ResidentBricks;
   read(brick: Brick, signal: AbortSignal): Promise<BrickSamples>;
-  readonly room: BrickRoom;
+  readonly room: SharedRoom;
   /** The GPU's bytes of a brick, with its halo. */
   readonly bytesOfBrick: number;
   /** Bricks have come or gone: the picture is another one. */
@@ -67,6 +67,11 @@ export class BrickLoading {
   /** Whether nothing that the view wants is on its way, or could come. */
   get isSettled(): boolean {
     return this.#flying.size === 0;
+  }
+
+  /** Whether a brick could not be read. */
+  isRefused(brick: Brick): boolean {
+    return this.#refused.has(keyOfBrick(brick));
   }
 
   /** The view wants other bricks: requests for bricks that it no longer wants are given up. */

@@ -1,3 +1,6 @@
+/** What one of those that show bricks sees of the room that they share. */
+export type SharedRoom = Pick<BrickRoom, 'share' | 'enter' | 'leave'>;
+
 /** Bytes of bricks that a page may hold at once, shared in equal parts by all that show bricks on it. */
 export class BrickRoom {
   readonly #users = new Set<() => void>();

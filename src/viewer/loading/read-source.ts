@@ -36,6 +36,7 @@ export function readSource(given: GivenSource): SourceSettings {
     series,
     region,
     maxBytes,
+    maxGpuBytes,
     crossOrigin,
   } = given;
   return {
@@ -63,6 +64,7 @@ export function readSource(given: GivenSource): SourceSettings {
     series: series === null ? undefined : parseCount('series', series),
     region: region === null ? undefined : (parseRegion(region) ?? undefined),
     maxBytes: maxBytes === null ? undefined : parseLength('max-bytes', maxBytes),
+    maxGpuBytes: maxGpuBytes === null ? undefined : parseLength('max-gpu-bytes', maxGpuBytes),
     credentials: sendsCookies(crossOrigin) ? 'include' : undefined,
   };
 }

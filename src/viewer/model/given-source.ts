@@ -14,6 +14,7 @@ export const sourceNames = [
   'series',
   'region',
   'maxBytes',
+  'maxGpuBytes',
   'crossOrigin',
 ] as const;
 

@@ -144,6 +144,16 @@ export interface SocketViewer {
   readonly rig: SocketRig;
   /** Draw soon. */
   invalidate(): void;
+  /** When frames are drawn. */
+  readonly loop: {
+    /** Whether something has changed since the last picture was started, and the picture in progress. */
+    readonly dirty: boolean;
+    readonly drawing: Promise<void> | null;
+    /** Draw the same view again, as finely as before. */
+    request(): void;
+    /** Resolves after the next frame. */
+    change(): Promise<void>;
+  };
   /** Whether there is a picture; the volume in it. */
   readonly drawn: Volume | null;
   /** Frame the subject again, if nobody has moved the camera. */

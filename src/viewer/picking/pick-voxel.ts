@@ -2,7 +2,7 @@ import { valueOf } from '../../volume/index-numbers.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 
-/** A voxel, and its data value. */
+/** A voxel, and its data value; of a volume in bricks, that of the voxel of the brick there. */
 export interface Voxel {
   readonly index: Vector3;
   readonly value: number;
@@ -14,7 +14,7 @@ export interface Voxel {
  * @returns null where none of them has data
  */
 export function nearestVoxel(
-  volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'>,
+  volume: Pick<Volume, 'grid' | 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed' | 'finer'>,
   place: Vector3,
 ): Voxel | null {
   const {
@@ -40,7 +40,8 @@ export function nearestVoxel(
     max = weight;
     nearest = { index, value: valueAt(volume, at) };
   }
-  return nearest;
+  const finer = volume.finer?.nearestAt(place);
+  return nearest && finer !== undefined ? { ...nearest, value: valueOf(volume, finer) } : nearest;
 }
 
 /** The value of a voxel; NaN where it has no data. @param at - its place among the samples */

@@ -75,7 +75,7 @@ export async function pickOnRay(
   if (!(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const { shown } = viewer;
   const stages = rays.stages({
-    stepLength: Math.max(finestSpacing(volume.grid), longestDiagonal(shown.grid) / maxSteps),
+    stepLength: Math.max(finestSpacing(volume.finer?.grid ?? volume.grid), longestDiagonal(shown.grid) / maxSteps),
     maxSubsteps,
   });
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);

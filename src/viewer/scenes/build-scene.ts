@@ -65,9 +65,5 @@ async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Sce
 
 /** The error of a context that was lost and did not come back. */
 export function contextLost(cause?: unknown): VolumeViewError {
-  return new VolumeViewError(
-    'webgl/context-lost',
-    'The graphics driver stopped and did not come back. Reload the page.',
-    { cause },
-  );
+  return new VolumeViewError('webgl/context-lost', 'the graphics driver stopped; reload the page', { cause });
 }

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../core/errors.ts';
 import type { ScanTarget } from '../../formats/base/choose-scan.ts';
-import type { LoadProgress, LoadProgressListener } from '../../formats/base/load-request.ts';
+import type { LoadProgress, LoadProgressListener, LoadRequest } from '../../formats/base/load-request.ts';
 import type { LoadOptions } from '../../worker/load.ts';
 import { loadPart } from '../../core/load-part.ts';
 import { deviceLimits } from '../../renderer/device/device.ts';
@@ -290,11 +290,14 @@ export class SourceLoader {
     options.signal.throwIfAborted();
     const limits = this.#askLimits();
     limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
-    return sharedVolumes.get(
-      this,
-      { ...request, local, settings: reader?.readSource(source!), limits, maxBytes: this.#maxBytes },
-      { ...options, fetch: this.host.host.fetch },
-    );
+    const load = (whole: LoadRequest): Promise<Volume> =>
+      sharedVolumes.get(this, whole, { ...options, fetch: this.host.host.fetch });
+    const settings = reader?.readSource(source!);
+    const whole = { ...request, local, settings, limits, maxBytes: this.#maxBytes, finer: true };
+    const volume = await load(whole);
+    return volume.levels
+      ? (await loadPart(import('../loading/brick-view.ts'), 'reads bricks')).follow(volume, whole, this, load)
+      : volume;
   }
 
   /** After a moment: the first context takes long to create, and the file starts to load meanwhile. */

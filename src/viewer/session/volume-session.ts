@@ -200,6 +200,9 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   async #settle(): Promise<void> {
+    // The first picture may start more work, as of bricks.
+    await this.#workDone();
+    await this.viewer?.settled();
     await this.#workDone();
     await this.viewer?.settled();
     await this.#interaction;

@@ -61,6 +61,7 @@ export const notInSteps: readonly string[] = [
   'max-bytes',
   'max-camera-orbit',
   'max-error',
+  'max-gpu-bytes',
   'min-camera-orbit',
   'mosaic',
   'pickable',

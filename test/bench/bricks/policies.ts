@@ -6,6 +6,7 @@ import type { DetailScene } from '../../../src/bricks/estimate-detail.ts';
 import { chooseBricks } from '../../../src/bricks/choose-bricks.ts';
 import type { BrickCells } from '../../../src/bricks/choose-bricks.ts';
 import type { Pyramid } from '../../../src/bricks/pyramid.ts';
+import { detailField } from '../../../src/bricks/resident-field.ts';
 import { multiply, transformPoint } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { unitToWorld } from '../../../src/volume/grid.ts';
@@ -126,7 +127,7 @@ export const atOnce = 8;
  */
 export function errorOrder(
   input: PolicyInput,
-  detail: Omit<DetailScene, 'levelOf'>,
+  detail: Omit<DetailScene, 'field'>,
   { tableBytes, learn }: { readonly tableBytes: number; readonly learn?: (levelOf: Uint8Array) => void },
 ): LoadOrder {
   const { pyramid } = input;
@@ -140,11 +141,14 @@ export function errorOrder(
   const stated = new Map<number, number>();
   for (let turn = 0, last: readonly BrickCells[] = []; rest.length > 0; turn++) {
     learn?.(known);
-    const { gains, rms } = estimateDetail({
-      ...detail,
-      levelOf: known,
-      shift: [(turn * 0.618) % 1, (turn * 0.7549) % 1],
-    });
+    const { gains, rms } = estimateDetail(
+      {
+        ...detail,
+        field: detailField(pyramid, known),
+        shift: [(turn * 0.618) % 1, (turn * 0.7549) % 1],
+      },
+      count,
+    );
     stated.set(bricks.length - last.length, rms);
     const chosen = new Set(
       chooseBricks(

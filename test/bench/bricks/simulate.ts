@@ -107,7 +107,6 @@ export async function* simulate(settings: Settings): AsyncGenerator<SceneResult>
         const input: PolicyInput = { pyramid, grid: scene.grid, camera, crosshair, pixels: settings.pixels, bricks };
         const range = [minOf(table.low), maxOf(table.high)] as const;
         const detail = {
-          pyramid,
           rays,
           sums: sumSpans(brighten(look.transferFunction, 1), range, {
             ...scene,

@@ -37,6 +37,7 @@ const viewRows: Row[] = [
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
   ['series', 'series', 2, '2'],
   ['maxBytes', 'max-bytes', 5e7, '50000000'],
+  ['maxGpuBytes', 'max-gpu-bytes', 1e8, '100000000'],
   ['crossOrigin', 'crossorigin', 'use-credentials', 'use-credentials'],
   ['clean', 'clean', true, ''],
   ['clean', 'clean', -400, '-400'],

@@ -4,7 +4,7 @@ import { chooseBricks, describeBrick } from '../../../src/bricks/choose-bricks.t
 import { estimateDetail } from '../../../src/bricks/estimate-detail.ts';
 import type { DetailEstimate } from '../../../src/bricks/estimate-detail.ts';
 import { buildPyramid, countBricks, listBricks } from '../../../src/bricks/pyramid.ts';
-import { residentField } from '../../../src/bricks/resident-field.ts';
+import { detailField, residentField } from '../../../src/bricks/resident-field.ts';
 import { hiddenByTable } from '../../../src/bricks/hidden-values.ts';
 import { measureResiduals } from '../../../src/bricks/residuals.ts';
 import { sumSpans } from '../../../src/bricks/span-sums.ts';
@@ -39,15 +39,17 @@ function sceneOf(value: (i: number, j: number, k: number) => number, look: strin
   const referenceLength = longestEdgeShare(grid);
   const scaling = { slope: 1, intercept: 0 };
   const estimate = (levelOf: Uint8Array): DetailEstimate =>
-    estimateDetail({
-      pyramid,
-      levelOf,
-      rays,
-      sums: sumSpans(transferFunction, [0, 255], { ...scaling, stepRatio: 1 / referenceLength }),
-      step: 1 / rays.diameter,
-      hidden: hiddenByTable(table, grid.dimensions),
-      across: 32,
-    });
+    estimateDetail(
+      {
+        field: detailField(pyramid, levelOf),
+        rays,
+        sums: sumSpans(transferFunction, [0, 255], { ...scaling, stepRatio: 1 / referenceLength }),
+        step: 1 / rays.diameter,
+        hidden: hiddenByTable(table, grid.dimensions),
+        across: 32,
+      },
+      count,
+    );
   const draw = (levelOf: Uint8Array): Float64Array =>
     renderReference(
       {

@@ -89,4 +89,41 @@ describe('the layout of bricks', () => {
     expect(layBricks(grid, [{ ...level, indexToWorld: turned }])).to.equal(null);
     expect(layBricks(grid, [])).to.equal(null);
   });
+
+  it('move into fewer slots, and give the same values there', () => {
+    const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions }), 3, ({ level }) => level === 0);
+    const { finer } = volume;
+    const all = [...finer.bricks];
+    for (const brick of all.slice(0, 12)) finer.remove(brick);
+    const before = places.map((place) => finer.storedAt(place));
+    finer.fit(all.length - 12);
+    expect([finer.slots, finer.count]).to.deep.equal([all.length - 12, all.length - 12]);
+    expect(places.map((place) => finer.storedAt(place))).to.deep.equal(before);
+    expect([...finer.bricks].every((brick) => finer.inSlot(brick.slot) === brick)).to.equal(true);
+    finer.remove(all[15]);
+    expect(finer.add(all[0], readBrick(pyramid, all[0])).slot).to.be.below(all.length - 12);
+  });
+
+  it('are another volume for who reads its cells, only when these have changed', () => {
+    const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions, field: () => random() }), 2, () => false);
+    const { finer } = volume;
+    const first = finer.current(volume);
+    expect(finer.current(volume)).to.equal(first);
+    const brick: Brick = { level: 0, at: [0, 0, 0] };
+    finer.add(brick, readBrick(pyramid, brick));
+    const second = finer.current(volume);
+    expect(second).not.to.equal(first);
+    finer.remove(brick);
+    finer.add(brick, readBrick(pyramid, brick));
+    expect(finer.current(volume)).to.equal(second);
+  });
+
+  it('give the value of the nearest voxel', () => {
+    const whole = syntheticVolume({ dimensions: [64, 64, 64], field: () => random() });
+    const { finer } = cutIntoBricks(whole, 2, ({ at: [i] }) => i === 0).volume;
+    for (const [x, y, z] of places.slice(0, 200)) {
+      const [i, j, k] = [x, y, z].map((n) => Math.floor(n * 64));
+      expect(finer.nearestAt([x, y, z])).to.equal(x < 0.5 ? whole.samples[i + 64 * (j + 64 * k)] : undefined);
+    }
+  });
 });

@@ -202,6 +202,6 @@ function tooLarge(volume: Block, device: Device): VolumeViewError {
     : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
   return new VolumeViewError(
     'format/too-large',
-    `The volume has ${volume.grid.dimensions.join(' x ')} voxels; this device holds ${limit} and what its memory allows. Use a smaller version of the file.`,
+    `the volume has ${volume.grid.dimensions.join(' x ')} voxels; this device holds ${limit}; use a smaller file`,
   );
 }

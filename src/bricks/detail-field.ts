@@ -1,0 +1,10 @@
+/** The levels of a pyramid that are resident, cell by cell. A cell is a brick of the finest level. */
+export interface DetailField {
+  /** The number of levels, with the coarsest one, which is resident everywhere. */
+  readonly levels: number;
+  /** The stored value at a place of the unit cube, at the level that its cell has; NaN for no data. */
+  valueAt(x: number, y: number, z: number): number;
+  cellAt(x: number, y: number, z: number): number;
+  /** The level of a cell. */
+  levelOf(cell: number): number;
+}

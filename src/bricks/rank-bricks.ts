@@ -1,0 +1,86 @@
+import { brickOfCell } from './brick-layout.ts';
+import type { BrickLayout } from './brick-layout.ts';
+import type { RankedBrick } from './choose-bricks.ts';
+import type { DetailListener } from './estimate-detail.ts';
+import type { Brick } from './pyramid.ts';
+import type { ResidentBrick, ResidentBricks } from './resident-bricks.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+
+/** What the bricks of a pyramid bring to a picture, and what those that are there are worth: sums over the cells that rays have met. */
+export class BrickGains implements DetailListener {
+  /** By level: energy by the number of the brick. */
+  readonly #gains: readonly Map<number, number>[];
+  readonly #worth: Float64Array;
+
+  constructor(readonly bricks: ResidentBricks) {
+    this.#gains = bricks.layout.levels.map(() => new Map<number, number>());
+    this.#worth = new Float64Array(bricks.slots);
+  }
+
+  gain(cell: number, level: number, energy: number): void {
+    if (!(energy > 0)) return;
+    const number = numberOf(this.bricks.layout, { level, at: this.#brickOf(cell, level) });
+    const gains = this.#gains[level];
+    gains.set(number, (gains.get(number) ?? 0) + energy);
+  }
+
+  loss(cell: number, energy: number): void {
+    const slot = this.bricks.slotOf(cell);
+    if (slot >= 0) this.#worth[slot] += energy;
+  }
+
+  /** What the picture would lose without a brick that is there. */
+  worth({ slot }: ResidentBrick): number {
+    return this.#worth[slot] ?? 0;
+  }
+
+  /**
+   * The bricks that bring most, in their order. Of those that cover the same cells only one is chosen, as the second one would bring less than is known.
+   * @param bytes - of each
+   */
+  rank(count: number, bytes: number, isLeftOut: (brick: Brick) => boolean): RankedBrick[] {
+    const { layout } = this.bricks;
+    const all = this.#gains.flatMap((gains, level) => [...gains].map(([number, gain]) => ({ level, number, gain })));
+    all.sort((a, b) => b.gain - a.gain);
+    /** Bricks that are chosen, and those that have such a brick inside. */
+    const [taken, outer] = [new Set<string>(), new Set<string>()];
+    const chosen: RankedBrick[] = [];
+    for (const { level, number, gain } of all) {
+      if (chosen.length >= count) break;
+      const brick = { level, at: placeOf(layout, level, number) };
+      if (isLeftOut(brick) || outer.has(`${level}/${number}`)) continue;
+      const around = layout.levels.slice(level).map((_, n) => {
+        const at = brickOfCell(layout.levels[level + n], firstCell(layout, brick));
+        return `${level + n}/${numberOf(layout, { level: level + n, at })}`;
+      });
+      if (around.some((key) => taken.has(key))) continue;
+      taken.add(around[0]);
+      for (const key of around) outer.add(key);
+      chosen.push({ brick, gain, bytes });
+    }
+    return chosen;
+  }
+
+  #brickOf(cell: number, level: number): Vector3 {
+    const { cells, levels } = this.bricks.layout;
+    const at: Vector3 = [
+      cell % cells[0],
+      Math.floor(cell / cells[0]) % cells[1],
+      Math.floor(cell / (cells[0] * cells[1])),
+    ];
+    return brickOfCell(levels[level], at);
+  }
+}
+
+const firstCell = ({ levels }: BrickLayout, { level, at }: Brick): Vector3 =>
+  at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
+
+function numberOf({ levels }: BrickLayout, { level, at: [i, j, k] }: Brick): number {
+  const [nx, ny] = levels[level].bricks;
+  return i + nx * (j + ny * k);
+}
+
+function placeOf({ levels }: BrickLayout, level: number, number: number): Vector3 {
+  const [nx, ny] = levels[level].bricks;
+  return [number % nx, Math.floor(number / nx) % ny, Math.floor(number / (nx * ny))];
+}

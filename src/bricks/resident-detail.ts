@@ -1,0 +1,196 @@
+// What bricks over a volume hide, learnt from those that have come.
+import { interpolate } from '../optics/rays/interpolate.ts';
+import { cellSize } from '../volume/cell-size.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { VolumeData } from '../volume/volume.ts';
+import { brickSide } from './brick-data.ts';
+import type { BrickSamples } from './brick-data.ts';
+import { slotSide } from './brick-layout.ts';
+import type { DetailField } from './detail-field.ts';
+import type { HiddenValues } from './hidden-values.ts';
+import type { Brick } from './pyramid.ts';
+import { keyOfBrick } from './resident-bricks.ts';
+import type { ResidentBricks } from './resident-bricks.ts';
+
+/** How far a brick is from what was there before it, in stored values. */
+interface Measured {
+  readonly level: number;
+  readonly rms: number;
+  readonly max: number;
+  /** The same of what was there, against the next coarser level. */
+  readonly before: number;
+}
+
+/** Voxels from one that is measured to the next, along each axis. */
+const stride = 3;
+
+/**
+ * The roughness of a macrocell is its largest second difference: so much of it is the root mean square of what a level of half the voxels hides of
+ * noise, and so much the largest.
+ */
+const [rmsOfRoughness, maxOfRoughness] = [0.13, 0.4];
+
+/** An octave has at least this share and at most so many times the detail of the next coarser one. */
+const limits = [0.25, 3] as const;
+
+/** The largest residual of a block is at least so many times its root mean square. */
+const leastPeak = 2;
+
+/**
+ * What the levels of a pyramid hide, where its writer has said nothing of it: each octave that is not known of a place has so many times the detail of
+ * the next coarser one as the same octave has elsewhere. As `learnDetail`, for bricks that come and go.
+ */
+export class ResidentDetail implements HiddenValues, DetailField {
+  readonly levels: number;
+  readonly #measured = new Map<string, Measured>();
+  /** Sums of squares, by level. */
+  readonly #fine: Float64Array;
+  readonly #coarse: Float64Array;
+  /** By level of what is there * (levels + 1) + level that is asked for: times the detail of the octave that is known. */
+  readonly #factors: Float64Array;
+  #rmsOfSlot = new Float64Array(0);
+  #maxOfSlot = new Float64Array(0);
+  readonly #range: [low: number, high: number] = [Infinity, -Infinity];
+
+  constructor(
+    readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
+    readonly bricks: ResidentBricks,
+  ) {
+    this.levels = bricks.layout.levels.length + 1;
+    this.#fine = new Float64Array(this.levels);
+    this.#coarse = new Float64Array(this.levels);
+    this.#factors = new Float64Array(this.levels * (this.levels + 1));
+    const { low, high } = volume.macrocells;
+    for (let n = 0; n < low.length; n++) this.#meet(low[n], high[n]);
+  }
+
+  /** Smallest and largest stored value that was seen. */
+  get range(): readonly [number, number] {
+    return this.#range;
+  }
+
+  /** Looks at a brick before it is shown. */
+  measure(brick: Brick, { samples, low, high }: BrickSamples): void {
+    this.#meet(low, high);
+    const key = keyOfBrick(brick);
+    if (this.#measured.has(key)) return;
+    const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
+    let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
+    for (let k = 1; k <= brickSide; k += stride)
+      for (let j = 1; j <= brickSide; j += stride)
+        for (let i = 1; i <= brickSide; i += stride) {
+          const value = samples[i + slotSide * (j + slotSide * k)];
+          const voxel = [i, j, k].map((n, axis) => brick.at[axis] * brickSide + n - 0.5);
+          if (Number.isNaN(value) || voxel.some((n, axis) => n > dimensions[axis])) continue;
+          const place = voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
+          const shown = this.valueAt(...(place as [number, number, number]));
+          if (Number.isNaN(shown)) continue;
+          count++;
+          squares += (value - shown) ** 2;
+          max = Math.max(max, Math.abs(value - shown));
+          const block = this.blockAt(...(place as [number, number, number]));
+          before += this.#rmsAt(block) ** 2;
+          steps = Math.max(1, this.#levelOf(block) - brick.level);
+        }
+    // Several octaves have the same detail each, as far as is known.
+    const rms = Math.sqrt(squares / Math.max(1, count * steps));
+    this.#measured.set(key, { level: brick.level, rms, max, before: Math.sqrt(before / Math.max(1, count)) });
+    this.#fine[brick.level] += rms ** 2 * count;
+    this.#coarse[brick.level] += before;
+  }
+
+  /** Bricks have come or gone. */
+  update(): void {
+    const { bricks, levels } = this;
+    this.#rmsOfSlot = new Float64Array(bricks.slots);
+    this.#maxOfSlot = new Float64Array(bricks.slots);
+    for (const brick of bricks.bricks) {
+      const { rms, max } = this.#measured.get(keyOfBrick(brick)) ?? { rms: 0, max: 0 };
+      this.#rmsOfSlot[brick.slot] = rms;
+      this.#maxOfSlot[brick.slot] = max;
+    }
+    const growth = new Float64Array(levels);
+    for (let level = levels - 2; level >= 0; level--) {
+      const [fine, coarse] = [this.#fine[level], this.#coarse[level]];
+      const next = level + 2 < levels ? growth[level + 1] : 1;
+      growth[level] = coarse > 0 ? Math.min(limits[1], Math.max(limits[0], Math.sqrt(fine / coarse))) : next;
+    }
+    for (let present = 0; present < levels; present++)
+      for (let level = 1; level <= levels; level++) {
+        let square = 0;
+        for (let octave = 0; octave < Math.min(level, present + 1); octave++) {
+          let times = 1;
+          for (let n = octave; n < present; n++) times *= growth[n];
+          square += times ** 2;
+        }
+        this.#factors[present * (levels + 1) + level] = Math.sqrt(square);
+      }
+  }
+
+  /** A block is the slot of a brick; or, below 0, a macrocell of the volume. */
+  blockAt(x: number, y: number, z: number): number {
+    const slot = this.bricks.slotOf(this.cellAt(x, y, z));
+    if (slot >= 0) return slot;
+    const {
+      grid: { dimensions },
+      macrocells: {
+        dimensions: [cx, cy, cz],
+      },
+    } = this.volume;
+    const index = (place: number, axis: number, count: number): number =>
+      Math.min(count - 1, Math.max(0, Math.floor((place * dimensions[axis]) / cellSize)));
+    return -1 - (index(x, 0, cx) + cx * (index(y, 1, cy) + cy * index(z, 2, cz)));
+  }
+
+  rms(block: number, level: number): number {
+    return this.#known(block).rms * this.#factors[this.#levelOf(block) * (this.levels + 1) + level];
+  }
+
+  max(block: number, level: number): number {
+    const { rms, max } = this.#known(block);
+    return rms > 0 ? Math.max(leastPeak, max / rms) * this.rms(block, level) : 0;
+  }
+
+  low(): number {
+    return this.#range[0];
+  }
+
+  high(): number {
+    return this.#range[1];
+  }
+
+  valueAt(x: number, y: number, z: number): number {
+    const { samples, grid } = this.volume;
+    return this.bricks.storedAt([x, y, z]) ?? interpolate(samples, grid.dimensions, [x, y, z]);
+  }
+
+  cellAt(x: number, y: number, z: number): number {
+    return this.bricks.cellAt([x, y, z]);
+  }
+
+  levelOf(cell: number): number {
+    return this.bricks.levelOf(cell);
+  }
+
+  /** Of the octave that is known, also of a brick that has come since the last update. */
+  #rmsAt(block: number): number {
+    if (block < 0) return this.#known(block).rms;
+    return this.#measured.get(keyOfBrick(this.bricks.inSlot(block)!))?.rms ?? 0;
+  }
+
+  #levelOf(block: number): number {
+    return block < 0 ? this.levels - 1 : this.bricks.inSlot(block)!.level;
+  }
+
+  #known(block: number): { readonly rms: number; readonly max: number } {
+    if (block >= 0) return { rms: this.#rmsOfSlot[block] ?? 0, max: this.#maxOfSlot[block] ?? 0 };
+    const rough = this.volume.macrocells.roughness[-1 - block];
+    return { rms: rmsOfRoughness * rough, max: maxOfRoughness * rough };
+  }
+
+  #meet(low: number, high: number): void {
+    if (!(low <= high)) return;
+    this.#range[0] = Math.min(this.#range[0], low);
+    this.#range[1] = Math.max(this.#range[1], high);
+  }
+}

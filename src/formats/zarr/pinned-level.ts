@@ -1,0 +1,80 @@
+import type { BrickLevel } from '../../bricks/brick-data.ts';
+import type { DeviceLimits } from '../../volume/reduce.ts';
+import { chooseKeptBytes, shareOfBrick, usualGpuBytes } from '../base/brick-limits.ts';
+import type { DecodeSettings } from '../base/decoded-volume.ts';
+import { chooseBrickLevels } from './brick-levels.ts';
+import { chooseBrickNumbers } from './brick-numbers.ts';
+import type { BrickNumbers } from './brick-numbers.ts';
+import { countVoxels, isReadable } from './choose-level.ts';
+import type { LevelBox } from './choose-level.ts';
+import type { ArrayBox } from './list-chunks.ts';
+import type { OmeImage } from './open-image.ts';
+
+/** Bytes of the level that is always there: it is read as a whole before the first brick, and panes show it. */
+const pinnedBytes = 2 ** 23;
+
+/** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
+const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
+
+/** Cells of the finest level that is read: the GPU has a table with an entry for each of them. */
+const maxCells = 2 ** 20;
+
+/** A pyramid that is read in bricks: the level that is always there, as a whole, and those that come in bricks. */
+export interface PinnedLevel {
+  readonly box: LevelBox;
+  readonly numbers: BrickNumbers;
+  /** The finest first. */
+  readonly levels: readonly BrickLevel[];
+}
+
+/**
+ * What is read of a pyramid in bricks: a page that wants bricks, and whose GPU may not hold the finest level.
+ * @param boxes - all levels as wholes, the finest first @param arrayBox - what is read of a level's array
+ * @returns null for what is read as a whole, or can't be read in bricks
+ */
+export function choosePinned(
+  image: OmeImage,
+  boxes: readonly LevelBox[],
+  arrayBox: (box: LevelBox) => ArrayBox,
+  { limits, settings }: { readonly limits: DeviceLimits; readonly settings: DecodeSettings },
+): PinnedLevel | null {
+  const {
+    maxGpuBytes = usualGpuBytes(),
+    finer,
+    region,
+    maxBytes,
+    spacing,
+    indexToWorld,
+    clean,
+    labelDetail,
+  } = settings;
+  const isPlain = [region, maxBytes, spacing, indexToWorld, clean, labelDetail].every((one) => one === undefined);
+  if (!finer || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
+  const { array } = boxes[0].level;
+  const numbers = chooseBrickNumbers(array.type, array.littleEndian, { slope: 1, intercept: 0 });
+  const bytesOf = (box: LevelBox): number => countVoxels(box) * Math.min(4, array.type.bytesPerSample);
+  const isSmall = (box: LevelBox, most: number): boolean =>
+    bytesOf(box) <= most && Math.max(...box.dimensions) <= limits.maxVoxelsPerAxis && isReadable(box, arrayBox(box));
+  if (isSmall(boxes[0], Math.min(maxGpuBytes, limits.maxBytes))) return null;
+  const most = Math.min(pinnedBytes, maxGpuBytes * shareOfPinned);
+  const coarsest = boxes[boxes.length - 1];
+  const box =
+    boxes.find((one) => isSmall(one, most)) ?? (isSmall(coarsest, maxGpuBytes * shareOfCoarsest) ? coarsest : null);
+  const inBricks = chooseBrickLevels(image, chooseKeptBytes() * shareOfBrick).filter(
+    ({ number }) => box && number < boxes.indexOf(box),
+  );
+  const levels = relativeToFirst(
+    inBricks.map(({ brick }) => brick).filter(({ bricks: [x, y, z] }) => x * y * z <= maxCells),
+  );
+  return box && levels.length > 0 ? { box, numbers, levels } : null;
+}
+
+/** Levels whose factors count voxels of the first of them; those without whole ones are left out. */
+function relativeToFirst(levels: readonly BrickLevel[]): BrickLevel[] {
+  return levels
+    .map(
+      (level) =>
+        ({ ...level, factors: level.factors.map((n, axis) => n / levels[0].factors[axis]) }) as unknown as BrickLevel,
+    )
+    .filter(({ factors }) => factors.every(Number.isInteger));
+}

@@ -1,0 +1,101 @@
+// What the bricks of a view bring to its picture.
+import { BrickGains } from '../../bricks/rank-bricks.ts';
+import { seekDetail } from '../../bricks/estimate-detail.ts';
+import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
+import type { ResidentDetail } from '../../bricks/resident-detail.ts';
+import { sumSpans } from '../../bricks/span-sums.ts';
+import type { Waiting } from '../../core/waiting.ts';
+import { setUpRays } from '../../optics/rays/rays.ts';
+import { brighten } from '../../optics/transfer/brighten.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { voxelsAlong } from '../../quality/steps.ts';
+import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
+import { transformPoint } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { isKept } from '../../volume/world-cut.ts';
+import type { WorldCut } from '../../volume/world-cut.ts';
+import type { View } from '../model/scene.ts';
+import type { VolumeOptics } from '../model/volume-info.ts';
+
+/** A picture, as far as bricks depend on it. */
+export interface BrickPicture {
+  readonly view: View;
+  readonly optics: VolumeOptics;
+  /** What is cut away; undefined for nothing. */
+  readonly away?: WorldCut;
+}
+
+/** What was found. */
+export interface BrickEstimate {
+  readonly gains: BrickGains;
+  /** The error that is left, 1/255: the root mean square over the rays that meet the volume. */
+  readonly rms: number;
+}
+
+/** Rays across and down. */
+const across = 36;
+
+/** Steps along the longest ray. */
+const [leastSteps, mostSteps] = [128, 320];
+
+/** Estimates what the bricks bring, with pauses. @returns null where no ray can be cast */
+export function* estimateBricks(
+  volume: Volume,
+  bricks: ResidentBricks,
+  detail: ResidentDetail,
+  { view, optics, away }: BrickPicture,
+): Waiting<BrickEstimate | null> {
+  const rays = setUpRays(volume.grid, view.view, view.projection);
+  if (!rays) return null;
+  detail.update();
+  const steps = Math.min(mostSteps, Math.max(leastSteps, 2 * voxelsAlong(volume.grid)));
+  const length = rays.diameter / steps;
+  const toWorld = unitToWorld(volume.grid);
+  const [transferFunction, referenceLength] = seenValues(volume, optics, rays.diameter);
+  const gains = new BrickGains(bricks);
+  const scene = {
+    field: detail,
+    rays,
+    sums: sumSpans(transferFunction, detail.range, {
+      slope: volume.slope,
+      intercept: volume.intercept,
+      stepRatio: (length / referenceLength) * optics.opacityFactor,
+    }),
+    step: 1 / steps,
+    voxels: length / finestSpacing(bricks.finest),
+    hidden: detail,
+    across,
+    isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
+  };
+  return { gains, rms: yield* seekDetail(scene, gains) };
+}
+
+/** Opacity of a ramp, along the diameter: enough to tell values from each other, and to see through. */
+const rampOpacity = 0.8;
+
+/** How values are seen, and over which length. Projections are taken for a fog of all values, a surface for what is opaque behind it. */
+function seenValues(
+  { range }: Volume,
+  { transferFunction, lightFactor, referenceLength, projection, surfaces }: VolumeOptics,
+  diameter: number,
+): readonly [TransferFunction, number] {
+  if (projection)
+    return [
+      [
+        { value: range[0], color: [0, 0, 0], opacity: 0 },
+        { value: range[1], color: [1, 1, 1], opacity: rampOpacity },
+      ],
+      diameter,
+    ];
+  if (surfaces?.clear && surfaces.surfaces.length > 0) {
+    const [{ value, color }] = surfaces.surfaces;
+    return [
+      [
+        { value, color, opacity: 0 },
+        { value, color, opacity: 1 },
+      ],
+      referenceLength,
+    ];
+  }
+  return [brighten(transferFunction, lightFactor), referenceLength];
+}

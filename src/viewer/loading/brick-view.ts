@@ -1,0 +1,355 @@
+// Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
+import { slotSide, layBricks } from '../../bricks/brick-layout.ts';
+import { ResidentBricks } from '../../bricks/resident-bricks.ts';
+import { ResidentDetail } from '../../bricks/resident-detail.ts';
+import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
+import type { BrickStore } from '../../formats/base/brick-store.ts';
+import type { LoadRequest } from '../../formats/base/load-request.ts';
+import type { Device, Gl } from '../../renderer/device/device.ts';
+import { uploadBricks } from '../../renderer/ray/modules/bricks.ts';
+import type { FieldModule } from '../../renderer/ray/ray-module.ts';
+import { slotsOfLayer } from '../../renderer/textures/brick-textures.ts';
+import type { Upload } from '../../renderer/textures/fill-texture.ts';
+import type { FinerLevel } from '../../volume/finer-voxels.ts';
+import type { Volume, VolumeData } from '../../volume/volume.ts';
+import { openBricks } from '../../worker/open-bricks.ts';
+import type { View } from '../model/scene.ts';
+import { socketOf } from '../model/view-socket.ts';
+import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
+import { estimateBricks } from './brick-estimate.ts';
+import type { BrickEstimate, BrickPicture } from './brick-estimate.ts';
+import { BrickLoading } from './brick-loading.ts';
+import { BrickRoom } from './brick-room.ts';
+
+/** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
+const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
+
+/** Where the room is full, the view is looked at so many times more: bricks that bring more take the place of others. */
+const mostExchanges = 3;
+
+/** Pictures with bricks that have just come pause for so many times as long as one of them takes. */
+const pause = 3;
+
+/** An estimate may keep the page so long, ms. */
+const sliceMs = 6;
+
+/** The room of this page. */
+const pageRoom = new BrickRoom(usualGpuBytes());
+
+/** The view of a volume in bricks, and where its bricks come from. */
+export interface BrickViewParts {
+  readonly pinned: Volume;
+  readonly request: LoadRequest;
+  readonly view: SocketView;
+  readonly socket: ViewSocket;
+}
+
+/**
+ * The bricks of one view, as long as they are on a GPU: they are asked for when their textures are made, and let go of with the last of these. The error of the
+ * picture says which ones come next.
+ */
+export class BrickView implements ViewPart {
+  readonly key = 'bricks';
+  readonly bricks: ResidentBricks;
+  /** The pinned volume with its bricks. */
+  readonly volume: Volume;
+  /** The error that the bricks leave in the last picture, 1/255: root mean square; null where it is not known. */
+  rms: number | null = null;
+  readonly #detail: ResidentDetail;
+  readonly #levels: readonly FinerLevel[];
+  readonly #maxBytes: number;
+  /** Textures that have the bricks. */
+  #users = 0;
+  #life: AbortController | null = null;
+  /** MAX_3D_TEXTURE_SIZE. */
+  #maxSide = Infinity;
+  #picture: (BrickPicture & { readonly key: string }) | null = null;
+  /** Counts changes of the bricks. */
+  #changes = 0;
+  #loading: BrickLoading | null = null;
+  #isDrawingSoon = false;
+  #hasFailed = false;
+  /** How long the last picture took that showed new bricks. */
+  #drawnMs = 0;
+  #settled: (() => void) | null = null;
+  #wake: () => void = () => {};
+
+  /** @returns null where the levels do not lie over each other as bricks have to */
+  static create(parts: BrickViewParts): BrickView | null {
+    const layout = layBricks(parts.pinned.grid, parts.pinned.levels!);
+    return layout && new BrickView(parts, layout);
+  }
+
+  private constructor(
+    readonly parts: BrickViewParts,
+    layout: NonNullable<ReturnType<typeof layBricks>>,
+  ) {
+    const { pinned, request } = parts;
+    this.#levels = pinned.levels!;
+    this.#maxBytes = request.settings?.maxGpuBytes ?? usualGpuBytes();
+    this.bricks = new ResidentBricks(pinned, layout, (gl: Gl, volume: VolumeData, device: Device) =>
+      this.#upload(gl, volume, device),
+    );
+    this.bricks.moving = true;
+    this.#detail = new ResidentDetail(pinned, this.bricks);
+    this.volume = {
+      ...pinned,
+      levels: undefined,
+      // A finer level may have places without data where this one has none.
+      hasNoData: pinned.hasNoData || pinned.samples instanceof Float32Array,
+      macrocells: this.bricks.macrocells,
+      finer: this.bricks,
+    };
+  }
+
+  /** Bytes on the GPU. */
+  get bytes(): number {
+    return this.bricks.slots * this.#bytesOfBrick + this.#fixedBytes;
+  }
+
+  /** Requests that are on their way. */
+  get requests(): number {
+    return this.#loading?.requests ?? 0;
+  }
+
+  get #bytesOfBrick(): number {
+    return slotSide ** 3 * this.parts.pinned.samples.BYTES_PER_ELEMENT;
+  }
+
+  /** Of the pinned volume and of the table. */
+  get #fixedBytes(): number {
+    return this.parts.pinned.samples.byteLength + this.bricks.pages.length;
+  }
+
+  /** Slots that the share of this view has room for: whole layers of the atlas. */
+  get #capacity(): number {
+    const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
+    const layers = Math.floor(own / (slotsOfLayer * this.#bytesOfBrick));
+    return slotsOfLayer * Math.max(1, Math.min(layers, Math.floor(this.#maxSide / slotSide)));
+  }
+
+  // What the socket calls.
+
+  /** A picture has been drawn. */
+  place({ view, projection }: View): void {
+    const { look, settings, viewer } = this.parts.view;
+    const optics = look.current;
+    if (this.#users === 0 || !optics || viewer?.volume !== this.volume) return;
+    const { away } = viewer.shown.cuts;
+    const key = JSON.stringify([view, projection, optics, away, settings.quality.value?.maxError]);
+    if (key === this.#picture?.key) return;
+    this.#picture = { key, view: { view, projection }, optics, away };
+    this.#begin();
+  }
+
+  // The life of the bricks.
+
+  *#upload(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
+    const field = yield* uploadBricks(gl, volume, device);
+    this.#maxSide = device.max3dTextureSize;
+    this.#enter();
+    const { dispose } = field;
+    let isThere = true;
+    return Object.assign(field, {
+      dispose: () => {
+        dispose.call(field);
+        if (isThere) this.#leave();
+        isThere = false;
+      },
+    });
+  }
+
+  #enter(): void {
+    if (this.#users++ > 0) return;
+    this.#life = new AbortController();
+    this.#picture = null;
+    this.bricks.moving = false;
+    this.#begin();
+    void this.parts.socket.join(this);
+    void this.#run(this.#life.signal);
+  }
+
+  #leave(): void {
+    if (--this.#users > 0) return;
+    void this.parts.socket.leave(this);
+    this.#life!.abort();
+    this.#settle();
+    this.#wake();
+  }
+
+  /** More is to come for the present view: scripts that want its picture wait. */
+  #begin(): void {
+    if (!this.bricks.moving) {
+      this.bricks.moving = true;
+      this.parts.view.track(new Promise<void>((resolve) => (this.#settled = resolve)));
+      this.parts.view.viewer?.invalidate();
+    }
+    this.#wake();
+  }
+
+  /** All is there that the view gets: its picture is drawn once more, and measured. */
+  #rest(): void {
+    if (!this.bricks.moving) return;
+    this.bricks.moving = false;
+    this.parts.view.viewer?.invalidate();
+    this.#settle();
+  }
+
+  #settle(): void {
+    this.bricks.moving = false;
+    this.#settled?.();
+    this.#settled = null;
+  }
+
+  async #run(life: AbortSignal): Promise<void> {
+    const { errors } = this.parts.view;
+    try {
+      const store = await this.#open(life);
+      try {
+        await this.#load(store, life);
+      } finally {
+        this.#loading?.close();
+        this.#loading = null;
+        store.close();
+      }
+    } catch (error) {
+      if (life.aborted) return;
+      errors.report('source', error);
+      this.#rest();
+    }
+  }
+
+  async #open(signal: AbortSignal): Promise<BrickStore> {
+    const { request, view } = this.parts;
+    const store = await openBricks(request, { signal, fetch: view.host.fetch });
+    const first = store?.levels.findIndex(
+      ({ dimensions }) => String(dimensions) === String(this.#levels[0].dimensions),
+    );
+    const isSame = this.#levels.every(
+      ({ dimensions }, n) => String(dimensions) === String(store?.levels[first! + n]?.dimensions),
+    );
+    if (!store || !isSame) {
+      store?.close();
+      throw new Error('the levels of the pyramid have changed, or no worker reads them');
+    }
+    return {
+      ...store,
+      read: ({ level, at }, own) => store.read({ level: level + first!, at }, own),
+    };
+  }
+
+  async #load(store: BrickStore, life: AbortSignal): Promise<void> {
+    const { bricks } = this;
+    const bytes = this.#bytesOfBrick;
+    pageRoom.bytes = Math.max(pageRoom.bytes, this.#maxBytes);
+    const capacity = (): number => this.#capacity;
+    const loading = (this.#loading = new BrickLoading({
+      bricks,
+      bytesOfBrick: bytes,
+      room: {
+        get share() {
+          return capacity() * bytes;
+        },
+        enter: (changed) => pageRoom.enter(changed),
+        leave: (changed) => pageRoom.leave(changed),
+      },
+      read: async (brick, signal) => {
+        const samples = await store.read(brick, signal);
+        this.#detail.measure(brick, samples);
+        return samples;
+      },
+      changed: () => {
+        if (life.aborted) return;
+        bricks.fit(this.#capacity);
+        this.#changes++;
+        this.#begin();
+        void this.#drawSoon();
+      },
+      failed: (error) => {
+        // Once: where one can't be read, many can't.
+        if (!this.#hasFailed) this.parts.view.errors.report('source', error);
+        this.#hasFailed = true;
+        this.#wake();
+      },
+    }));
+    bricks.fit(this.#capacity);
+    for (let exchanges = 0, last = ''; !life.aborted;) {
+      const picture = this.#picture;
+      const changes = this.#changes;
+      const found = picture && (await this.#estimate(picture, life));
+      if (life.aborted) return;
+      if (found) {
+        if (picture.key !== last) exchanges = 0;
+        last = picture.key;
+        const isFull = bricks.count >= this.#capacity;
+        const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
+        this.rms = found.rms;
+        const isEnough = found.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
+        const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
+        loading.want({
+          missing: isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick)),
+          worth: (brick) => found.gains.worth(brick) / bytes,
+        });
+      }
+      if (picture && loading.requests === 0 && this.#picture === picture && this.#changes === changes) this.#rest();
+      // Until the list is used up, or there is another view.
+      const isDue = (): boolean =>
+        life.aborted ||
+        this.#picture !== picture ||
+        (loading.requests === 0 && (this.#changes !== changes || this.bricks.moving) && this.#picture !== null);
+      while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
+    }
+  }
+
+  /** With time for the page in between. */
+  async #estimate(picture: BrickPicture, life: AbortSignal): Promise<BrickEstimate | null> {
+    const work = estimateBricks(this.volume, this.bricks, this.#detail, picture);
+    while (!life.aborted) {
+      const end = performance.now() + sliceMs;
+      while (performance.now() < end) {
+        const { done, value } = work.next();
+        if (done) return value;
+      }
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return null;
+  }
+
+  /** A picture with the bricks that have come, once the one in progress is there. */
+  async #drawSoon(): Promise<void> {
+    if (this.#isDrawingSoon) return;
+    this.#isDrawingSoon = true;
+    const { loop } = this.parts.view.viewer!;
+    const isBusy = (): boolean => loop.drawing !== null || loop.dirty;
+    while (isBusy()) await loop.change();
+    await new Promise((resolve) => setTimeout(resolve, pause * this.#drawnMs));
+    this.#isDrawingSoon = false;
+    // The last picture comes without a pause.
+    if (this.#users === 0 || !this.bricks.moving || isBusy()) return;
+    const began = performance.now();
+    loop.request();
+    while (isBusy()) await loop.change();
+    this.#drawnMs = performance.now() - began;
+  }
+}
+
+/** What takes the volume of a view. */
+export interface BrickLoader {
+  readonly parts: { readonly presenter: SocketView };
+}
+
+/**
+ * A coarse level of a pyramid with bricks of finer ones over it, for a view that will show it.
+ * @param again - loads the volume as a whole: where labels lie over it, or the levels do not fit bricks
+ */
+export async function follow(
+  pinned: Volume,
+  request: LoadRequest,
+  loader: BrickLoader,
+  again: (request: LoadRequest) => Promise<Volume>,
+): Promise<Volume> {
+  const view = loader.parts.presenter;
+  const isLabelled = pinned.isDiscrete || view.host.querySelector('volume-labels') !== null;
+  const bricked = isLabelled ? null : BrickView.create({ pinned, request, view, socket: socketOf(view.host) });
+  return bricked?.volume ?? again({ ...request, finer: false });
+}

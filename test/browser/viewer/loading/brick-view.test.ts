@@ -1,0 +1,117 @@
+// An OME-Zarr that is larger than its page allows: a coarse level as a whole, then bricks as the view needs them. The page's own function fetches.
+import { expect } from '@esm-bundle/chai';
+import '../../../../components/volume-view/define.ts';
+import type { VolumeView } from '../../../../components/volume-view/volume-view.ts';
+import { formulaFiles, formulaOf } from '../../../helpers/formula-pyramid.ts';
+import type { FormulaPyramid } from '../../../helpers/formula-pyramid.ts';
+
+/** Fetches from a formula, and counts. */
+function serve(pyramid: FormulaPyramid, delay = 0) {
+  const files = formulaFiles(formulaOf(pyramid));
+  const log = { alive: 0, asked: 0, most: 0, byLevel: [] as number[] };
+  const fetch = async (url: RequestInfo | URL, init?: RequestInit): Promise<Response> => {
+    const path = new URL(url as string).pathname.slice('/x.ome.zarr/'.length);
+    log.alive++;
+    log.asked++;
+    log.most = Math.max(log.most, log.alive);
+    const level = Number(path[0]);
+    if (/^\d\/c/.test(path)) log.byLevel[level] = (log.byLevel[level] ?? 0) + 1;
+    try {
+      if (delay)
+        await new Promise<void>((resolve, reject) => {
+          setTimeout(resolve, delay);
+          init?.signal?.addEventListener('abort', () => reject(init.signal!.reason as Error));
+        });
+      const size = files.sizeOf(path);
+      return size === null ? new Response(null, { status: 404 }) : new Response(files.bytesOf(path, 0, size));
+    } finally {
+      log.alive--;
+    }
+  };
+  return { fetch, log };
+}
+
+function addView(fetch: typeof globalThis.fetch, attributes: Record<string, string>): VolumeView {
+  const view = document.createElement('volume-view');
+  view.fetch = fetch;
+  view.style.cssText = 'display: block; width: 96px; height: 72px';
+  for (const [name, value] of Object.entries({
+    alt: 'waves',
+    src: 'https://example.test/x.ome.zarr/',
+    loading: 'eager',
+    ...attributes,
+  }))
+    view.setAttribute(name, value);
+  document.body.append(view);
+  return view;
+}
+
+async function pixelsOf(view: VolumeView): Promise<Uint8ClampedArray> {
+  const bitmap = await createImageBitmap(await view.toBlob());
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  const context = canvas.getContext('2d')!;
+  context.drawImage(bitmap, 0, 0);
+  return context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+}
+
+function compare(one: Uint8ClampedArray, other: Uint8ClampedArray): { worst: number; rms: number } {
+  let [worst, sum] = [0, 0];
+  for (let i = 0; i < one.length; i++) {
+    worst = Math.max(worst, Math.abs(one[i] - other[i]));
+    sum += (one[i] - other[i]) ** 2;
+  }
+  return { worst, rms: Math.sqrt(sum / one.length) };
+}
+
+const look = {
+  steps: '200',
+  'transfer-function': '0 #247 0, 255 #f42 40%',
+  'camera-orbit': '30deg 65deg 150',
+};
+
+describe('a pyramid in bricks on a page', () => {
+  it('is the picture of the whole, where all bricks that are visible fit', async function () {
+    this.timeout(90_000);
+    const { fetch, log } = serve({ dimensions: [64, 64, 64], levels: 2 });
+    const whole = addView(fetch, look);
+    await whole.whenRendered();
+    expect(whole.volume!.dimensions).to.deep.equal([64, 64, 64]);
+    const expected = await pixelsOf(whole);
+    whole.remove();
+    const view = addView(fetch, { ...look, 'max-gpu-bytes': '1e5', 'max-error': '0.01' });
+    await view.whenRendered();
+    expect(view.volume!.dimensions).to.deep.equal([32, 32, 32]);
+    expect(view.renderStats!.converged).to.equal(true);
+    const shown = await pixelsOf(view);
+    const { worst, rms } = compare(shown, expected);
+    console.log(
+      `bricked against whole: worst ${worst}, rms ${rms.toFixed(3)}; ${JSON.stringify(log)}; ${JSON.stringify(view.renderStats)}`,
+    );
+    view.remove();
+    expect(worst).to.be.at.most(1);
+  });
+
+  it('asks for at most 8 files at once, keeps what the page allows, and asks for nothing once it has left', async function () {
+    this.timeout(90_000);
+    const { fetch, log } = serve({ dimensions: [512, 512, 512], levels: 5 }, 20);
+    const view = addView(fetch, {
+      ...look,
+      'camera-orbit': '30deg 65deg 1200',
+      'max-gpu-bytes': '8e6',
+      'max-error': '0.1',
+    });
+    const begun = new Promise((resolve) => view.addEventListener('load', resolve));
+    await begun;
+    expect(view.volume!.reduced).to.equal(undefined);
+    // Until bricks come.
+    while ((log.byLevel[0] ?? 0) + (log.byLevel[1] ?? 0) < 20) await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(view.renderStats?.converged ?? false).to.equal(false);
+    view.remove();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    expect(log.alive).to.equal(0);
+    const { asked } = log;
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    expect(log.asked).to.equal(asked);
+    expect(log.most).to.be.at.most(8);
+  });
+});

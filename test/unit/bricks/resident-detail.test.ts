@@ -1,0 +1,95 @@
+// What bricks over a volume hide, learnt from those that have come; and the order of the next ones.
+import { expect } from '@esm-bundle/chai';
+import { listBricks } from '../../../src/bricks/pyramid.ts';
+import type { Brick } from '../../../src/bricks/pyramid.ts';
+import { BrickGains } from '../../../src/bricks/rank-bricks.ts';
+import { ResidentDetail } from '../../../src/bricks/resident-detail.ts';
+import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
+import { measureResiduals } from '../../../src/bricks/residuals.ts';
+import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
+import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
+
+const edge = 128;
+
+/** Noise where x is small, else smooth; levels of 128, 64 and 32 voxels. */
+function makeRough() {
+  const random = randomNumbers(4);
+  const whole = syntheticVolume({
+    dimensions: [edge, edge, edge],
+    kind: 'float32',
+    field: (x, y) => (x < 0.5 ? random() : 0.5 + 0.2 * Math.sin(3 * y)),
+  });
+  const made = cutIntoBricks(whole, 3, () => false);
+  const detail = new ResidentDetail(made.volume.finer.volume as typeof made.volume, made.volume.finer);
+  const add = (brick: Brick): void => {
+    const samples = readBrick(made.pyramid, brick);
+    detail.measure(brick, samples);
+    made.volume.finer.add(brick, samples);
+  };
+  return { ...made, detail, add, table: measureResiduals(made.pyramid, 32) };
+}
+
+describe('what bricks hide', () => {
+  it('is more where the volume that is always there is rough, before any brick has come', () => {
+    const { detail } = makeRough();
+    detail.update();
+    const [rough, smooth] = [0.2, 0.8].map((x) => detail.rms(detail.blockAt(x, 0.4, 0.4), 2));
+    expect(rough).to.be.above(3 * smooth);
+    expect(detail.max(detail.blockAt(0.2, 0.4, 0.4), 2)).to.be.above(rough);
+  });
+
+  it('is known within a factor of 1.6 where bricks have come elsewhere', () => {
+    const { detail, add, table, pyramid } = makeRough();
+    // Half of the next finer level, and one brick of the finest.
+    for (const brick of listBricks(pyramid, 1)) if (brick.at[1] === 0) add(brick);
+    add({ level: 0, at: [0, 0, 0] });
+    detail.update();
+    const block = (at: readonly number[]): number => at[0] + 4 * (at[1] + 4 * at[2]);
+    // With a brick of level 1, and with none.
+    const first = detail.rms(detail.blockAt(0.3, 0.3, 0.3), 1);
+    expect(first / table.levels[1].rms[block([1, 1, 1])]).to.be.within(1 / 1.6, 1.6);
+    const second = detail.rms(detail.blockAt(0.3, 0.8, 0.3), 2);
+    expect(second / table.levels[2].rms[block([1, 3, 1])]).to.be.within(1 / 1.6, 1.6);
+  });
+
+  it('is nothing where a brick of the finest level is there; the range of values is that of all', () => {
+    const { detail, add } = makeRough();
+    const [low, high] = detail.range;
+    add({ level: 0, at: [0, 0, 0] });
+    detail.update();
+    expect(detail.levelOf(detail.cellAt(0.1, 0.1, 0.1))).to.equal(0);
+    expect(detail.range[0]).to.be.below(low);
+    expect(detail.range[1]).to.be.above(high);
+  });
+});
+
+describe('bricks in the order of what they bring', () => {
+  it('are those of the largest sum; none covers what another one covers, and those left out are none', () => {
+    const { volume } = makeRough();
+    const gains = new BrickGains(volume.finer);
+    // Cells 0 and 1 are in the same brick of level 1, cell 3 in another one.
+    gains.gain(0, 0, 5);
+    gains.gain(0, 1, 3);
+    gains.gain(1, 1, 3);
+    gains.gain(3, 0, 4);
+    gains.gain(3, 1, 1);
+    const keys = (isLeftOut: (brick: Brick) => boolean): string[] =>
+      gains.rank(10, 1000, isLeftOut).map(({ brick }) => keyOfBrick(brick));
+    expect(keys(() => false)).to.deep.equal(['1/0/0/0', '0/3/0/0']);
+    expect(keys(({ level }) => level === 1)).to.deep.equal(['0/0/0/0', '0/3/0/0']);
+    expect(gains.rank(1, 1000, () => false)).to.deep.equal([
+      { brick: { level: 1, at: [0, 0, 0] }, gain: 6, bytes: 1000 },
+    ]);
+  });
+
+  it('are worth what the picture would lose', () => {
+    const { volume, add } = makeRough();
+    add({ level: 0, at: [0, 0, 0] });
+    add({ level: 0, at: [3, 0, 0] });
+    const gains = new BrickGains(volume.finer);
+    gains.loss(3, 2);
+    gains.loss(3, 1);
+    gains.loss(5, 9);
+    expect([...volume.finer.bricks].map((brick) => gains.worth(brick))).to.deep.equal([0, 3]);
+  });
+});
