@@ -28,6 +28,7 @@ function volume_view_attributes() {
 		'azimuth'               => 'text',
 		'series'                => 'text',
 		'max-bytes'             => 'text',
+		'max-gpu-bytes'         => 'text',
 		'clean'                 => 'flag-or-text',
 		'moment'                => 'text',
 		'color-moment'          => 'text',
