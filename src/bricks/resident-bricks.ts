@@ -35,8 +35,9 @@ export class ResidentBricks implements FinerVoxels {
   readonly changes = { pages: 0, cells: 0 };
   /** Whether the present view gets more of them. */
   moving = false;
-  /** Slots that there may be. */
+  /** Slots that there may be, and slots for which the GPU has memory. */
   capacity = Infinity;
+  maxSlots = Infinity;
   #current: { readonly volume: object; readonly cells: number; readonly now: object } | null = null;
   readonly #bricks = new Map<string, ResidentBrick>();
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
@@ -133,10 +134,11 @@ export class ResidentBricks implements FinerVoxels {
     this.changes.pages++;
   }
 
-  /** From now on there are at most so many slots, and no more bricks than that: those in others get another one. */
+  /** From now on there are at most so many slots, and bricks: the last ones that came go, and those in other slots get another one. */
   fit(capacity: number): void {
     this.capacity = capacity;
     if (this.slots <= capacity) return;
+    for (const brick of [...this.bricks].slice(capacity)) this.remove(brick);
     const moved = this.#bySlot.slice(capacity).filter((brick) => brick !== undefined);
     for (const brick of moved) this.remove(brick);
     this.#bySlot.length = capacity;

@@ -46,7 +46,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   /** Sums of squares, by level. */
   readonly #fine: Float64Array;
   readonly #coarse: Float64Array;
-  /** By level of what is there * (levels + 1) + level that is asked for: times the detail of the octave that is known. */
+  /** By level of the shown brick * (levels + 1) + level that is asked for: times the detail of the octave that is known. */
   readonly #factors: Float64Array;
   #rmsOfSlot = new Float64Array(0);
   #maxOfSlot = new Float64Array(0);

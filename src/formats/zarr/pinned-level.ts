@@ -56,10 +56,11 @@ export function choosePinned(
   const isSmall = (box: LevelBox, most: number): boolean =>
     bytesOf(box) <= most && Math.max(...box.dimensions) <= limits.maxVoxelsPerAxis && isReadable(box, arrayBox(box));
   if (isSmall(boxes[0], Math.min(maxGpuBytes, limits.maxBytes))) return null;
-  const most = Math.min(pinnedBytes, maxGpuBytes * shareOfPinned);
+  const most = Math.min(pinnedBytes, maxGpuBytes * shareOfPinned, limits.maxBytes);
   const coarsest = boxes[boxes.length - 1];
   const box =
-    boxes.find((one) => isSmall(one, most)) ?? (isSmall(coarsest, maxGpuBytes * shareOfCoarsest) ? coarsest : null);
+    boxes.find((one) => isSmall(one, most)) ??
+    (isSmall(coarsest, Math.min(maxGpuBytes * shareOfCoarsest, limits.maxBytes)) ? coarsest : null);
   const inBricks = chooseBrickLevels(image, chooseKeptBytes() * shareOfBrick).filter(
     ({ number }) => box && number < boxes.indexOf(box),
   );

@@ -107,20 +107,25 @@ export class BrickTextures {
 
   /** An atlas of another size is filled again: WebGL has no quick way to copy a 3D texture, and the samples are kept for picks anyway. */
   #resize(layers: number): void {
+    const before = this.#layers;
+    if (this.#allocate(layers) || before === 0) return;
+    // The GPU has no memory for more: what no longer fits goes.
+    this.#allocate(before);
+    this.bricks.maxSlots = before * slotsOfLayer;
+    this.bricks.fit(this.bricks.maxSlots);
+  }
+
+  /** @returns whether there was memory for it */
+  #allocate(layers: number): boolean {
     const { gl } = this;
     gl.deleteTexture(this.#atlas);
     this.#atlas = gl.createTexture();
     this.#written.length = 0;
     this.#layers = layers;
     gl.bindTexture(gl.TEXTURE_3D, this.#atlas);
-    gl.texStorage3D(
-      gl.TEXTURE_3D,
-      1,
-      this.packing.texels.internal,
-      slotColumns * slotSide,
-      slotRows * slotSide,
-      layers * slotSide,
-    );
+    const [width, height] = [slotColumns * slotSide, slotRows * slotSide];
+    gl.texStorage3D(gl.TEXTURE_3D, 1, this.packing.texels.internal, width, height, layers * slotSide);
+    return gl.getError() !== gl.OUT_OF_MEMORY;
   }
 
   #write(brick: ResidentBrick): void {

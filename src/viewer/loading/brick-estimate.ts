@@ -70,7 +70,7 @@ export function* estimateBricks(
   return { gains, rms: yield* seekDetail(scene, gains) };
 }
 
-/** Opacity of a ramp, along the diameter: enough to tell values from each other, and to see through. */
+/** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */
 const rampOpacity = 0.8;
 
 /** How values are seen, and over which length. Projections are taken for a fog of all values, a surface for what is opaque behind it. */

@@ -125,7 +125,8 @@ export class BrickView implements ViewPart {
   get #capacity(): number {
     const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
     const layers = Math.floor(own / (slotsOfLayer * this.#bytesOfBrick));
-    return slotsOfLayer * Math.max(1, Math.min(layers, Math.floor(this.#maxSide / slotSide)));
+    const most = Math.min(layers, Math.floor(this.#maxSide / slotSide), this.bricks.maxSlots / slotsOfLayer);
+    return slotsOfLayer * Math.max(1, most);
   }
 
   // What the socket calls.

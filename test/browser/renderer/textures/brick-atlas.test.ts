@@ -1,0 +1,56 @@
+// The atlas of bricks grows and shrinks with its bricks, and stays as large as it is where the GPU has no memory for more.
+import { expect } from '@esm-bundle/chai';
+import { slotsOfLayer } from '../../../../src/renderer/textures/brick-textures.ts';
+import { uploadBricks } from '../../../../src/renderer/ray/modules/bricks.ts';
+import { finishUpload } from '../../../../src/renderer/textures/fill-texture.ts';
+import { describe as describeDevice } from '../../../../src/renderer/probes/probe-device.ts';
+import { listBricks } from '../../../../src/bricks/pyramid.ts';
+import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+
+const layerBytes = slotsOfLayer * 34 ** 3;
+
+function makeAtlas() {
+  const gl = document.createElement('canvas').getContext('webgl2')!;
+  const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions: [192, 192, 160] }), 2, () => false);
+  const { finer } = volume;
+  const field = finishUpload(uploadBricks(gl, volume, describeDevice(gl)));
+  const atlasBytes = (): number => {
+    field.inputs();
+    return field.bytes - volume.samples.byteLength - finer.pages.length;
+  };
+  const all = listBricks(pyramid, 0);
+  return { gl, finer, field, all, atlasBytes, add: (n: number) => finer.add(all[n], readBrick(pyramid, all[n])) };
+}
+
+describe('the atlas of bricks', () => {
+  it('grows with its bricks as far as its capacity, and shrinks with that', () => {
+    const { gl, finer, field, all, atlasBytes, add } = makeAtlas();
+    expect(all.length).to.equal(180);
+    finer.fit(2 * slotsOfLayer);
+    for (let n = 0; n < slotsOfLayer; n++) add(n);
+    expect(atlasBytes()).to.equal(layerBytes);
+    add(slotsOfLayer);
+    expect(atlasBytes()).to.equal(2 * layerBytes);
+    for (const brick of [...finer.bricks].slice(0, 20)) finer.remove(brick);
+    finer.fit(slotsOfLayer);
+    expect(atlasBytes()).to.equal(layerBytes);
+    expect(finer.count).to.equal(slotsOfLayer - 19);
+    expect(gl.getError()).to.equal(gl.NO_ERROR);
+    field.dispose();
+  });
+
+  it('stays where there is no memory for more, and the last bricks go', () => {
+    const { gl, finer, field, all, atlasBytes, add } = makeAtlas();
+    for (let n = 0; n < slotsOfLayer; n++) add(n);
+    expect(atlasBytes()).to.equal(layerBytes);
+    const native = gl.getError.bind(gl);
+    let refuses = 1;
+    gl.getError = () => (refuses-- > 0 ? gl.OUT_OF_MEMORY : native());
+    for (let n = slotsOfLayer; n < all.length; n++) add(n);
+    expect(atlasBytes()).to.equal(layerBytes);
+    expect([finer.count, finer.maxSlots]).to.deep.equal([slotsOfLayer, slotsOfLayer]);
+    expect(finer.get(all[0]) && !finer.get(all[all.length - 1])).to.equal(true);
+    field.dispose();
+  });
+});
