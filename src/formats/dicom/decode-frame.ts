@@ -170,7 +170,8 @@ const joinFragments = (pieces: readonly Uint8Array[]): Uint8Array =>
   pieces.length === 1 ? pieces[0] : joinPieces(pieces);
 
 /**
- * A frame may lie in several pieces: where it begins is said in bytes, or there is one piece for each frame, or one frame.
+ * A frame may lie in several pieces: where it begins is said in bytes, or by the mark with which a packed picture begins, or there is
+ * one piece for each frame, or one frame.
  * @throws {VolumeViewError} `format/corrupt`
  */
 export function fragmentsOf(
@@ -180,11 +181,14 @@ export function fragmentsOf(
   if (fragments.length === frames) return [fragments[frame]];
   let mine = fragments;
   if (frames > 1) {
-    if (offsets.length < frames)
+    if (offsets.length < frames) {
+      const starts = [...fragments.keys()].filter((i) => beginsPicture(fragments[i]));
+      if (starts.length === frames && starts[0] === 0) return fragments.slice(starts[frame], starts[frame + 1]);
       throw corruptFile(
         what,
         `has ${fragments.length} pieces of packed pixels for ${frames} frames, and does not say where each begins`,
       );
+    }
     const [start, end] = [offsets[frame], offsets[frame + 1] ?? Infinity];
     let at = 0;
     mine = fragments.filter(({ length }) => {
@@ -195,6 +199,19 @@ export function fragmentsOf(
   }
   return mine;
 }
+
+/**
+ * The marks that no packed picture has in its midst: of JPEG and JPEG-LS, of JPEG 2000, and of JPEG 2000 in a file of its own.
+ * Source: ISO/IEC 10918-1, B.1.1; 15444-1, A.4 and I.5.1
+ */
+const firstBytes = [
+  [0xff, 0xd8, 0xff],
+  [0xff, 0x4f, 0xff, 0x51],
+  [0, 0, 0, 0x0c, 0x6a, 0x50, 0x20, 0x20],
+];
+
+const beginsPicture = (piece: Uint8Array): boolean =>
+  firstBytes.some((mark) => mark.every((byte, i) => piece[i] === byte));
 
 /** Whether bits above and below a number belong to something else, such as overlays. Source: PS3.5, 8.1.1 */
 const isTrimmed = ({ bitsAllocated, bitsStored, type }: Picture): boolean =>

@@ -10,6 +10,7 @@ import type { ChosenSeries } from './group-frames.ts';
 import { isJ2k } from './load-libraries.ts';
 import { PixelLoader } from './load-pixels.ts';
 import { modalityOf } from './modality.ts';
+import { lookUp } from './value-table.ts';
 
 /** Pixels of the larger side of a picture. */
 const pictureSize = 64;
@@ -69,7 +70,7 @@ async function drawSmall(
   frame: Frame,
   context: Pick<ReadContext, 'folder' | 'budget'>,
 ): Promise<SeriesInfo['picture']> {
-  const { columns, rows, slope, intercept, windows, spacing } = frame;
+  const { columns, rows, table, slope, intercept, windows, spacing } = frame;
   if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
@@ -83,7 +84,7 @@ async function drawSmall(
   const [width, height] = [columns, rows].map((n) => Math.max(1, Math.round(n * scale)));
   const values = Float64Array.from({ length: width * height }, (_, i) => {
     const [x, y] = [i % width, Math.floor(i / width)].map((at) => Math.floor((at + 0.5) / scale));
-    return slope * numbers[Math.min(rows - 1, y) * columns + Math.min(columns - 1, x)] + intercept;
+    return slope * lookUp(table, numbers[Math.min(rows - 1, y) * columns + Math.min(columns - 1, x)]) + intercept;
   });
   const [window] = windows().windows;
   const [low, high] = window ? [window.from, window.to] : rangeOf(values);

@@ -1,5 +1,6 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Picture } from './picture.ts';
+import type { ValueTable } from './value-table.ts';
 import type { FileWindows } from './windows.ts';
 
 /** A picture of a plane, or one of the tiles of a picture. */
@@ -25,7 +26,9 @@ export interface Frame {
   readonly step: number | null;
   /** In what order slices come that have no place. */
   readonly order: readonly number[];
-  /** Value = slope * stored number + intercept. */
+  /** Turns stored numbers into others first; null where they are what they are. */
+  readonly table: ValueTable | null;
+  /** Value = slope * stored number, or that of the table, + intercept. */
   readonly slope: number;
   readonly intercept: number;
   readonly unit: string;

@@ -15,6 +15,7 @@ import { loadLibraries } from './load-libraries.ts';
 import { PixelLoader } from './load-pixels.ts';
 import { NumberCounts } from './number-counts.ts';
 import type { StoredType } from './picture.ts';
+import { lookUp } from './value-table.ts';
 import type { Stack } from './stack-frames.ts';
 
 export interface Gathered {
@@ -101,11 +102,11 @@ export async function gatherSamples(
         }),
       };
     const numbers = cutTile(last.numbers, frame);
-    const { slope, intercept } = frame;
+    const { table, slope, intercept } = frame;
     if (scale) {
       all.set(numbers, start);
       if (numbers instanceof Int16Array || numbers instanceof Uint16Array) counts.add(numbers);
-    } else for (let i = 0; i < numbers.length; i++) all[start + i] = slope * numbers[i] + intercept;
+    } else for (let i = 0; i < numbers.length; i++) all[start + i] = slope * lookUp(table, numbers[i]) + intercept;
     if (!frame.picture.padding) return;
     const [low, high] = frame.picture.padding;
     for (let i = 0; i < numbers.length; i++) {
@@ -216,12 +217,16 @@ function allocateColors(voxels: number, budget: Budget): Uint8Array<ArrayBuffer>
   return new Uint8Array(3 * voxels);
 }
 
-/** The scale that all frames have, with the same type of numbers; null where they differ. */
+/** The scale that all frames have, with the same type of numbers; null where they differ, or have tables. */
 function findScale(frames: readonly Frame[]): { readonly slope: number; readonly intercept: number } | null {
   const [first] = frames;
   const { slope, intercept } = first;
   const areAlike = frames.every(
-    (frame) => frame.slope === slope && frame.intercept === intercept && frame.picture.type === first.picture.type,
+    (frame) =>
+      frame.table === null &&
+      frame.slope === slope &&
+      frame.intercept === intercept &&
+      frame.picture.type === first.picture.type,
   );
   return areAlike ? { slope, intercept } : null;
 }
@@ -229,11 +234,11 @@ function findScale(frames: readonly Frame[]): { readonly slope: number; readonly
 /** A type that holds the values of all frames: whole numbers if they are. */
 function chooseType(frames: readonly Frame[]): StoredType {
   const areWhole = frames.every(
-    ({ slope, intercept, picture: { type, bitsStored } }) =>
+    ({ table, slope, intercept, picture: { type, bitsStored } }) =>
       !type.startsWith('float') &&
       Number.isInteger(slope) &&
       Number.isInteger(intercept) &&
-      Math.abs(slope) * 2 ** bitsStored + Math.abs(intercept) < 2 ** 31,
+      Math.abs(slope) * (table?.largest ?? 2 ** bitsStored) + Math.abs(intercept) < 2 ** 31,
   );
   if (areWhole) return 'int32';
   return frames.some(({ picture: { type } }) => floatOf(type) === 'float64') ? 'float64' : 'float32';

@@ -27,7 +27,7 @@ export interface JpegParts {
   readonly columns: number;
   /** One; of JPEG with loss, also three. */
   readonly components: readonly JpegComponent[];
-  /** Whether a program of Adobe says that the three are red, green and blue (true), or not (false); else null. */
+  /** Whether the stream says that its three numbers are red, green and blue (true), or brightness and two colours (false); else null. */
   readonly isRgb: boolean | null;
   /** Numbers, or blocks, after which the coder starts again; 0 for never. */
   readonly restart: number;
@@ -53,7 +53,7 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
   const tables: HuffmanTable[] = [];
   const factors: Uint16Array[] = [];
   let frame: Frame | null = null;
-  let isRgb: boolean | null = null;
+  let [isJfif, isRgb]: [boolean, boolean | null] = [false, null];
   let restart = 0;
   let presets: readonly number[] = [0, 0, 0, 0, 0];
   if (bytes.length < 4 || view.getUint16(0) !== 0xffd8) throw damaged();
@@ -85,8 +85,8 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
       );
     } else if (marker === 0xdb) readFactors(part, factors, damaged);
     else if (marker === 0xdd && part.length >= 2) restart = view.getUint16(from);
-    else if (marker === 0xee && part.length >= 12 && String.fromCharCode(...part.subarray(0, 5)) === 'Adobe')
-      isRgb = part[11] === 0;
+    else if (marker === 0xe0 && hasName(part, 'JFIF')) isJfif = true;
+    else if (marker === 0xee && part.length >= 12 && hasName(part, 'Adobe')) isRgb = part[11] === 0;
     else if (marker === 0xf8) {
       if (part[0] !== 1 || part.length < 11)
         throw unsupportedFile(what, 'is packed with JPEG-LS with tables; unpack it: gdcmconv --raw in.dcm out.dcm');
@@ -109,7 +109,7 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
           others: tables[4 + (part[2 + 2 * i] & 15)] ?? null,
           factors: factors[used] ?? null,
         })),
-        isRgb: isRgb ?? (listed.map(({ id }) => String.fromCharCode(id)).join('') === 'RGB' ? true : null),
+        isRgb: isJfif ? false : (isRgb ?? guessColors(listed)),
         restart,
         selected: [part[1 + 2 * count], part[2 + 2 * count], part[3 + 2 * count]],
         presets,
@@ -118,6 +118,16 @@ export function readJpegParts(bytes: Uint8Array, what: string): JpegParts {
     }
   }
   throw damaged();
+}
+
+const hasName = (part: Uint8Array, name: string): boolean =>
+  String.fromCharCode(...part.subarray(0, name.length)) === name;
+
+/** Files of JFIF have brightness and two colours. Of others the names of the three say it, or that they are of different sizes. Source: ITU-T T.871, 6.1 */
+function guessColors(listed: Frame['listed']): boolean | null {
+  if (listed.map(({ id }) => String.fromCharCode(id)).join('') === 'RGB') return true;
+  const [{ across, down }] = listed;
+  return listed.every((one) => one.across === across && one.down === down) ? null : false;
 }
 
 interface Frame extends Pick<JpegParts, 'coding' | 'precision' | 'rows' | 'columns'> {

@@ -8,6 +8,7 @@ import { findMosaic } from './siemens-mosaic.ts';
 import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
 import type { Tag } from './tags.ts';
+import { readValueTable } from './value-table.ts';
 import { readWindows } from './windows.ts';
 
 /** The frames of a picture. */
@@ -124,23 +125,28 @@ function readValues(
   find: ReturnType<typeof finder>,
   modality: string,
   imageType: readonly string[],
-): Pick<Frame, 'slope' | 'intercept' | 'unit' | 'windows'> {
+): Pick<Frame, 'table' | 'slope' | 'intercept' | 'unit' | 'windows'> {
   const { set, isInverted, isSigned, bitsStored, colors } = picture;
-  if (colors) return { slope: 1, intercept: 0, unit: '', windows: () => ({ windows: [], left: [] }) };
+  if (colors) return { table: null, slope: 1, intercept: 0, unit: '', windows: () => ({ windows: [], left: [] }) };
   const rescale = find(sequences.pixelTransformation, tags.slope);
-  const stated = readUnit(set, rescale, modality, imageType);
+  const table = readValueTable(picture);
+  // The table is in place of slope and intercept, also where a file has both.
+  const stated = table ? (table.type === 'HU' ? 'HU' : '') : readUnit(set, rescale, modality, imageType);
   const suv = modality === 'PT' && stated === 'Bq/ml' ? findSuvFactor(set) : null;
   const [unit, factor] = suv ? ['SUV', suv] : [stated, 1];
-  const slope = factor * ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1);
-  const intercept = factor * (rescale.number(tags.intercept) ?? 0);
+  const slope = table
+    ? 1
+    : factor * ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1);
+  const intercept = table ? 0 : factor * (rescale.number(tags.intercept) ?? 0);
   const windowsOf = (mirror: number | null): Frame['windows'] => {
-    const isNegative = isSigned || intercept < 0;
+    const isNegative = table === null && (isSigned || intercept < 0);
     return () => readWindows(find(sequences.frameWindow, tags.windowCenter), set, { factor, mirror, isNegative });
   };
   // Where values have a unit, white for the smallest one is only a way to show them.
-  if (!isInverted || unit !== '') return { slope, intercept, unit, windows: windowsOf(null) };
-  const turned = isSigned ? -1 : 2 ** bitsStored - 1;
+  if (!isInverted || unit !== '') return { table, slope, intercept, unit, windows: windowsOf(null) };
+  const turned = table ? table.largest : isSigned ? -1 : 2 ** bitsStored - 1;
   return {
+    table,
     slope: -slope,
     intercept: slope * turned + intercept,
     unit,

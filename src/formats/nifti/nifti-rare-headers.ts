@@ -32,15 +32,24 @@ function checkMark(magic: string): void {
   }
 }
 
-/** Reads a header of version 2. */
+/** Source: CIFTI-2: numbers of points of a surface and of voxels, one after another, in the form of NIfTI-2 */
+const isCifti = (intent: number): boolean => intent >= 3000 && intent < 3100;
+
+/** Reads a header of version 2. @throws {VolumeViewError} `format/unsupported` */
 export function readVersion2(view: DataView, little: boolean): NiftiHeader {
   const long = (at: number): number => Number(view.getBigInt64(at, little));
   const double = (at: number): number => view.getFloat64(at, little);
+  const intent = view.getInt32(504, little);
+  if (isCifti(intent))
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the NIfTI-2 file is CIFTI: a list of numbers, most of them of points of a surface, and no volume; take the voxels out of it: wb_command -cifti-separate in.nii COLUMN -volume-all out.nii.gz',
+    );
   return {
     version: 2,
     littleEndian: little,
     dim: list(8, (i) => long(16 + 8 * i)),
-    intent: view.getInt32(504, little),
+    intent,
     datatype: view.getInt16(12, little),
     pixdim: list(8, (i) => double(104 + 8 * i)),
     offset: long(168),

@@ -135,6 +135,19 @@ describe('DICOM in colours', () => {
       expect(volume.left).to.equal(undefined);
     });
 
+  it('packed with JPEG are shown as their streams say, and not as the file calls them', async () => {
+    for (const one of jpegColorStreams.filter(({ name }) => name !== 'RGB')) {
+      const colors = rgbOf(await decodeJpeg(one));
+      expect(rgbOf(await decodeJpeg({ ...one, photometric: 'RGB' })), one.name).to.deep.equal(colors);
+      // Without the mark of JFIF, three numbers of different sizes are no red, green and blue.
+      const withoutMark = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> =>
+        Uint8Array.from([...bytes.slice(0, 2), ...bytes.slice(20)]);
+      const plain = rgbOf(await decodeJpeg({ ...one, photometric: 'RGB' }, withoutMark));
+      if (one.name === '4:4:4') expect(plain, one.name).to.not.deep.equal(colors);
+      else expect(plain, one.name).to.deep.equal(colors);
+    }
+  });
+
   it('packed with JPEG that are damaged give a volume or an error in words', async () => {
     let errors = 0;
     for (const one of jpegColorStreams) {

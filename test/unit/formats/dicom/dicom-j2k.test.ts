@@ -52,6 +52,15 @@ describe('JPEG 2000 and HTJ2K', () => {
       check(valuesOf(await withoutWasm(() => decode(one, [stream, stream])))));
   }
 
+  it('whose frames lie in several pieces each are found by the marks with which they begin', async () => {
+    for (const one of j2kStreams.filter(({ name }) => !name.endsWith('lossy'))) {
+      const whole = bytesOf(one.stream);
+      const pieces = [whole.slice(0, 50), whole.slice(50, 72), whole.slice(72)];
+      const values = valuesOf(await decode(one, [...pieces, ...pieces], { NumberOfFrames: '2' }));
+      expect(values, one.name).to.deep.equal([...one.values, ...one.values]);
+    }
+  });
+
   it('a damaged one among others does not spoil those after it', async () => {
     const one = j2kStreams.find(({ name }) => name === 'JPEG 2000 of 12 bits, lossless')!;
     const whole = bytesOf(one.stream);

@@ -57,6 +57,24 @@ describe('pixels packed by other programs', () => {
         check(await withoutWasm(() => decode(one, [stream, stream]))));
   }
 
+  it('whose frames lie in several pieces each are found by the marks with which they begin', async () => {
+    for (const one of jpegStreams) {
+      const whole = bytesOf(one.stream);
+      const pieces = [whole.slice(0, 20), whole.slice(20, 42), whole.slice(42)];
+      const two = { NumberOfFrames: '2' };
+      const expected = valuesOf(await decode(one, [whole, whole]));
+      for (const apart of [
+        [...pieces, ...pieces],
+        [...pieces, whole],
+        [whole, ...pieces],
+      ])
+        expect(valuesOf(await decode(one, apart, two)), one.name).to.deep.equal(expected);
+      const { code, message } = await expectError(decode(one, [...pieces.slice(1), ...pieces], two));
+      expect(code).to.equal('format/corrupt');
+      expect(message).to.contain('has 5 pieces of packed pixels for 2 frames, and does not say where each begins');
+    }
+  });
+
   it('that are damaged give a volume or an error in words', async () => {
     let errors = 0;
     for (const one of jpegStreams) {

@@ -145,6 +145,14 @@ describe('NIfTI files that are refused', () => {
     expect((await refuse(bytes)).code).to.equal('format/too-large');
   });
 
+  it('refuse CIFTI, which is no volume, with the program that takes the voxels out of it', async () => {
+    const bytes = await fetchFixture('nifti/v2-be-i2.nii');
+    new DataView(bytes.buffer).setInt32(504, 3002);
+    const error = await refuse(bytes, 'x.dtseries.nii');
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.contain('is CIFTI').and.to.contain('wb_command -cifti-separate');
+  });
+
   it('refuse a small gzip file that asks for much, before it allocates', async () => {
     const bytes = await patched(42, 10000);
     new DataView(bytes.buffer).setInt16(44, 10000, true);
