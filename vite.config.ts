@@ -1,6 +1,6 @@
 // The development server of the demos (`npm start`). The package is built by scripts/build.mjs.
 import { createReadStream } from 'node:fs';
-import { defineConfig, type Plugin } from 'vite';
+import { defineConfig, type Plugin, type ViteDevServer } from 'vite';
 import { findSharedData, sharedDataPrefix } from './scripts/shared-data.mjs';
 
 const hasDisplay =
@@ -12,6 +12,7 @@ const hasDisplay =
 const routes: Plugin = {
   name: 'volume-view-routes',
   configureServer(server) {
+    sayPlaces(server);
     server.middlewares.use((request, response, next) => {
       const path = (request.url ?? '/').replace(/[?#].*$/, '');
       if (path === '/' || path === '/demos') {
@@ -27,6 +28,19 @@ const routes: Plugin = {
     });
   },
 };
+
+/** Says where the demos and the lesson studio are, and how to get the site of the guide, which is a build of its own. */
+function sayPlaces(server: ViteDevServer): void {
+  const print = server.printUrls.bind(server);
+  server.printUrls = () => {
+    print();
+    const [origin = '/'] = server.resolvedUrls?.local ?? [];
+    server.config.logger.info(`  Demos          ${origin}demos/
+  Lesson studio  ${origin}packages/studio/dist/index.html
+  Guide          npm run site, in another terminal: its pages with examples that can be changed
+`);
+  };
+}
 
 export default defineConfig({
   appType: 'mpa', // A missing file is a 404, not the gallery.

@@ -20,6 +20,19 @@ async function lookAtFramework({ page }) {
   assert.match(await page.locator('output').innerText(), /^-?\d+ to \d+$/, 'the listener of load was called');
 }
 
+/** The same, with a note and a tour that the component hears. @param {import('./open-app.mjs').OpenApp} app */
+async function lookAtAngular(app) {
+  await lookAtFramework(app);
+  const { page } = app;
+  assert.equal(await page.locator('volume-note').textContent(), 'The middle');
+  await page.getByRole('button', { name: 'Next' }).click();
+  await page.getByText('Step 2', { exact: true }).waitFor();
+  await page.waitForFunction(() => {
+    const view = /** @type {any} */ (document.querySelector('volume-view'));
+    return view.getView()['camera-orbit']?.startsWith('90deg 90deg');
+  });
+}
+
 /** Bootstrap's row and columns: a bare tag has a size. @param {import('./open-app.mjs').OpenApp} app */
 async function lookAtColumns({ page }) {
   const sizes = await page
@@ -42,6 +55,7 @@ export const apps = [
   { name: 'react', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'svelte', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'vue', command: 'vite build', serve: 'dist', look: lookAtFramework },
+  { name: 'angular', command: 'vite build', serve: 'dist', look: lookAtAngular },
   { name: 'next', command: 'next build', serve: 'out', look: lookAtFramework },
   {
     name: 'webpack',

@@ -119,6 +119,9 @@ if (!options.only) {
     checkTypes(join(built, 'react'), 'wrong.tsx'),
   );
   await check('types of the tags in Vue: what is wrong is refused', () => checkTypes(join(built, 'vue'), 'tags.ts'));
+  await check('types of the elements in Angular: what is wrong is refused', () =>
+    checkTypes(join(built, 'angular'), 'wrong.ts'),
+  );
   await check('the docs show what was built', checkDocs);
 }
 finish();

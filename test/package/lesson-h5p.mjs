@@ -209,6 +209,43 @@ await check(
       [completed[0], completed[1], ...completed.slice(5)],
       ['completed', lessonId, false, 1, 2, undefined],
     );
+    assert.deepEqual(
+      await content.locator('main').evaluate((main) => [main.getAttribute('lang'), main.getAttribute('dir')]),
+      ['en', 'ltr'],
+    );
+
+    // What H5P asks of content with a score.
+    const result = await page.locator('iframe').evaluate((frame) => {
+      const { statement, children } = /** @type {any} */ (frame).contentWindow.H5P.instances[0].getXAPIData();
+      const brief = (/** @type {any} */ { object, result }) => [
+        ...[object.id, object.definition.interactionType, result.success, result.score.raw, result.score.max],
+      ];
+      return [statement, ...children.map((/** @type {any} */ one) => one.statement)].map(brief);
+    });
+    assert.deepEqual(result, [
+      [lessonId, 'compound', false, 1, 2],
+      [`${lessonId}?subContentId=tissue`, 'choice', true, 1, 1],
+      [`${lessonId}?subContentId=question-2`, 'numeric', false, 0, 1],
+    ]);
+    const call = (/** @type {string} */ name) =>
+      page
+        .locator('iframe')
+        .evaluate((frame, method) => /** @type {any} */ (frame).contentWindow.H5P.instances[0][method](), name);
+    await call('resetTask');
+    await content.getByRole('heading', { name: 'First' }).waitFor();
+    await content.locator('volume-view').evaluate((view) => /** @type {any} */ (view).whenRendered());
+    await content.getByRole('button', { name: 'Next' }).click();
+    assert.equal(await content.getByText('Right.').count(), 0, 'no answer is left');
+    assert.deepEqual(await Promise.all(['getScore', 'getAnswerGiven'].map(call)), [0, false]);
+    await call('showSolutions');
+    await content.locator('#tissue').getByText('B, or C', { exact: true }).last().waitFor();
+    await content.locator('#tissue label.right').getByText('B, or C').waitFor();
+    await content.getByText('140').first().waitFor({ state: 'attached' });
+    assert.deepEqual(
+      await Promise.all(['getScore', 'getAnswerGiven'].map(call)),
+      [0, false],
+      'a solution is no answer',
+    );
     assert.deepEqual(problems, []);
     await page.context().close();
   },

@@ -37,8 +37,20 @@ interface Content {
 
 const core = (globalThis as unknown as { H5P: H5pCore }).H5P;
 
+/** What of a `<volume-question>` is needed here. */
+interface Question extends HTMLElement {
+  readonly done: boolean;
+  readonly result: { readonly response: string; readonly chosen: readonly number[] } | null;
+  readonly updateComplete: Promise<unknown>;
+  tries: number | null;
+  restore(answer: { response: string; chosen: readonly number[]; correct: boolean; tries: number }): void;
+}
+
 class VolumeViewLesson extends core.EventDispatcher {
   readonly #record: CourseRecord;
+  #place: HTMLElement | null = null;
+  /** Ends when the lesson is there. */
+  #shown: Promise<void> = Promise.resolve();
 
   constructor(
     readonly content: Content | null,
@@ -56,8 +68,15 @@ class VolumeViewLesson extends core.EventDispatcher {
   attach(container: ArrayLike<HTMLElement>): void {
     const place = container[0];
     place.classList.add('volume-view-lesson');
-    this.#show(place).catch((error: unknown) => this.#say(place, error instanceof Error ? error.message : 'unknown'));
+    this.#place = place;
+    this.#begin(place);
     new ResizeObserver(() => this.trigger('resize')).observe(place);
+  }
+
+  #begin(place: HTMLElement): void {
+    this.#shown = this.#show(place).catch((error: unknown) =>
+      this.#say(place, error instanceof Error ? error.message : 'unknown'),
+    );
   }
 
   async #show(place: HTMLElement): Promise<void> {
@@ -74,7 +93,7 @@ class VolumeViewLesson extends core.EventDispatcher {
     // The script of a course finds what a course gives a page at this place, and reports to it.
     Object.assign(globalThis, { API_1484_11: this.#record });
     await runScript(new URL('course.js', folder).href, { scorm: '2004' });
-    await runScript(new URL('volume-view.iife.js', folder).href);
+    if (!customElements.get('volume-view')) await runScript(new URL('volume-view.iife.js', folder).href);
   }
 
   #say(place: HTMLElement, message: string): void {
@@ -108,6 +127,48 @@ class VolumeViewLesson extends core.EventDispatcher {
 
   getAnswerGiven(): boolean {
     return this.#record.hasAnswers;
+  }
+
+  /** Begin again, without answers. The script of the course begins again too: that of before knows none of the new elements. */
+  async resetTask(): Promise<void> {
+    await this.#shown;
+    this.#record.clear();
+    this.#place?.replaceChildren();
+    if (this.#place) this.#begin(this.#place);
+    this.trigger('resize');
+  }
+
+  /** Show the right answers, also where a learner has tries left. */
+  async showSolutions(): Promise<void> {
+    await this.#shown;
+    for (const question of this.#place?.querySelectorAll<Question>('volume-question') ?? []) {
+      if (question.done) continue;
+      const { response = '', chosen = [] } = question.result ?? {};
+      question.tries = 1;
+      await question.updateComplete;
+      question.restore({ response, chosen, correct: false, tries: 1 });
+    }
+    this.trigger('resize');
+  }
+
+  /** What H5P asks of content with a score: the result of all, and the last answer to each question. */
+  getXAPIData(): { readonly statement: Statement; readonly children: readonly { readonly statement: Statement }[] } {
+    const all = this.createXAPIEventTemplate('answered');
+    const { statement } = all.data;
+    const { definition } = statement.object;
+    const type = 'http://adlnet.gov/expapi/activities/cmi.interaction';
+    statement.object = {
+      ...statement.object,
+      definition: { ...definition, type, interactionType: 'compound', correctResponsesPattern: [] },
+    };
+    const [score, max] = [this.getScore(), this.getMaxScore()];
+    all.setScoredResult(score, max, this, this.#record.isComplete, score === max);
+    const children = this.#record.answers.map((write) => {
+      const one = this.createXAPIEventTemplate('answered');
+      write(one);
+      return { statement: one.data.statement };
+    });
+    return { statement, children };
   }
 
   /** What H5P keeps for the learner's next visit. */

@@ -3,6 +3,7 @@ import { version } from '../package.json';
 import course from './course.js?raw';
 import ownStyles from './h5p.css?raw';
 import styles from './lesson.css?raw';
+import { directionOf } from './direction-of.ts';
 import { cleanPath, dataFolder } from './lesson-paths.ts';
 import type { Lesson, LessonFile, LessonProblem, Player } from './lesson.ts';
 import { LessonError } from './lesson.ts';
@@ -52,7 +53,8 @@ export function writeH5pFiles(lesson: Lesson, player: Player): LessonFile[] {
     linksLeave: true,
     leftOut: ['remember', 'link-state'],
   };
-  const html = `<main>${writeContent(lesson, nodes, form)}</main><footer class="credits">${writeCredits(lesson)}</footer>`;
+  const { language } = lesson;
+  const html = `<main lang="${escapeMarkup(language)}" dir="${directionOf(language)}">${writeContent(lesson, nodes, form)}</main><footer class="credits">${writeCredits(lesson)}</footer>`;
   const content = {
     html: escapeMarkup(html),
     files: paths.map((path) => ({

@@ -1,5 +1,7 @@
 // Lessons as files: what is refused, what is written, and that nothing hostile is in it.
 import { expect } from '@esm-bundle/chai';
+import brain from '../../../demos/brain-lesson.html?raw';
+import storm from '../../../demos/storm-lesson.html?raw';
 import guide from '../../../docs/guide/lesson.md?raw';
 import {
   LessonError,
@@ -146,6 +148,15 @@ describe('writers of lessons', () => {
     }
     const { named } = readLesson(pages[1]);
     expect(named).to.deep.equal(['head.nii.gz', 'demos/images/tour.webp']);
+  });
+
+  it('take the lessons of the demos, without the page around them', () => {
+    for (const page of [brain, storm]) {
+      const part = /<volume-view[\s\S]*<\/volume-tour>/.exec(page)![0];
+      const { problems, nodes } = readLesson(`<!doctype html><body>${part}</body>`);
+      expect(problems).to.deep.equal([]);
+      expect(nodes.length).to.be.above(1);
+    }
   });
 
   it('refuse each of what is hostile, and keep nothing of it', () => {
