@@ -28,6 +28,9 @@ export interface PageTarget {
 const isInColors = ({ colors, samples }: TiffPage, { isRaw }: PageUse): boolean =>
   (colors === 'RGB' && samples <= 4) || (colors === 'palette' && !isRaw);
 
+/** Planes that are read of colours in planes: those of red, green and blue, and one that says how opaque a pixel is. */
+const planesOf = ({ samples }: TiffPage): number => (samples === 4 ? 4 : 3);
+
 /** Room for the colours of a number of pages; undefined where they have none. @throws {VolumeViewError} `format/too-large` */
 export function allocateColors(
   { file: { budget }, page, use }: { file: TiffFile; page: TiffPage; use: PageUse },
@@ -54,7 +57,7 @@ export const pageBytes = ({ columns, rows, type }: TiffPage): number => countSam
 export function decodePage(file: TiffFile, page: TiffPage, to: PageTarget, use: PageUse): void {
   const { columns, rows, bits, samples, colors, isPlanar, blockColumns, blockRows } = page;
   const step = isPlanar ? 1 : samples;
-  const planes = isPlanar && colors === 'RGB' ? 3 : 1;
+  const planes = isPlanar && colors === 'RGB' ? planesOf(page) : 1;
   const rowNumbers = blockColumns * step;
   const rowBytes = Math.ceil((rowNumbers * bits) / 8);
   const planeBytes = countSampleBytes(what, [rowBytes, blockRows], { name: 'bytes', bytesPerSample: 1 });
@@ -185,7 +188,7 @@ function makeConverter(
   if (colors === 'RGB')
     return (blocks) => {
       const numbers = isPlanar ? interleave(blocks, type.bytesPerSample) : blocks[0];
-      const channels = isPlanar ? 3 : samples;
+      const channels = isPlanar ? planesOf(page) : samples;
       // The highest byte of a number is enough to know colours from gray.
       if (channels <= 4)
         (keepsColors ? describeAlpha : describeLoss)(
@@ -204,8 +207,10 @@ function makeConverter(
     const table = Uint8Array.from({ length: 2 ** bits }, (_, i) => lumaOf(colorOf(i, 0), colorOf(i, 1), colorOf(i, 2)));
     if (!keepsColors) left.add('the colours of the pages: their brightness is shown (luma, Rec. ITU-R BT.709)');
     return ([bytes]) => {
-      const numbers = view(bytes);
-      return bytesOf(numbers.map((number) => table[number] ?? 0));
+      if (samples === 2)
+        describeAlpha(isWide ? bytes.subarray(1) : bytes, samples, type.bytesPerSample).forEach((one) => left.add(one));
+      const mapped = bytesOf(view(bytes).map((number) => table[number] ?? 0));
+      return firstOf(new Uint8Array(mapped), samples, type.bytesPerSample);
     };
   }
   if (!isInverted || isRaw) return null;
@@ -235,7 +240,7 @@ function readColors(
   const colorOf = readPalette(file, page);
   return ([bytes]) => {
     const numbers = size === 2 ? new Uint16Array(bytes.buffer, bytes.byteOffset, bytes.length / 2) : bytes;
-    return (pixel, c) => Math.round(colorOf(numbers[pixel], c));
+    return (pixel, c) => Math.round(colorOf(numbers[pixel * samples], c));
   };
 }
 

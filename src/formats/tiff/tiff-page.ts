@@ -97,6 +97,7 @@ export function readPage(file: TiffFile, directory: Directory): TiffPage {
     : [columns, Math.min(rows, rowsPerStrip)];
   if (![blockColumns, blockRows].every((n) => Number.isSafeInteger(n) && n >= 1))
     throw corruptFile(what, `got pieces of ${blockColumns} x ${blockRows} pixels; expected whole numbers from 1`);
+  const isPlanar = samples > 1 && one(tags.planar, 1) === 2;
   return {
     directory,
     columns,
@@ -104,9 +105,9 @@ export function readPage(file: TiffFile, directory: Directory): TiffPage {
     type,
     bits,
     samples,
-    colors: readColors(photometric, samples, type, bits),
+    colors: readColors(photometric, samples, type, { bits, isPlanar }),
     isInverted: photometric === 0 && format === 1 && bits <= 16,
-    isPlanar: samples > 1 && one(tags.planar, 1) === 2,
+    isPlanar,
     isTiled,
     blockColumns,
     blockRows,
@@ -115,9 +116,16 @@ export function readPage(file: TiffFile, directory: Directory): TiffPage {
   };
 }
 
-function readColors(photometric: number, samples: number, type: NumberType, bits: number): TiffPage['colors'] {
+function readColors(
+  photometric: number,
+  samples: number,
+  type: NumberType,
+  { bits, isPlanar }: Pick<TiffPage, 'bits' | 'isPlanar'>,
+): TiffPage['colors'] {
   const isByte = type.name === 'uint8' && bits === 8;
-  if (photometric === 3 && samples === 1 && (type.name === 'uint8' || type.name === 'uint16')) return 'palette';
+  // A second number says how opaque a pixel is.
+  const hasTable = samples === 1 || (samples === 2 && bits >= 8 && !isPlanar);
+  if (photometric === 3 && hasTable && (type.name === 'uint8' || type.name === 'uint16')) return 'palette';
   if (photometric === 2 && samples >= 3 && (isByte || type.name === 'uint16')) return 'RGB';
   return photometric === 6 && samples === 3 && isByte ? 'YBR' : 'none';
 }
