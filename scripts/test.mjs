@@ -60,6 +60,12 @@ const parts = [
     after: 'Build: dist stays whole meanwhile',
   },
   {
+    title: 'A folder in each form',
+    args: ['test/package/prepare-forms.mjs'],
+    counts: true,
+    after: 'Build: dist stays whole meanwhile',
+  },
+  {
     title: "A radar's folder",
     args: ['test/package/prepare-watch.mjs'],
     counts: true,

@@ -21,6 +21,8 @@ export interface Source {
   readonly first: string;
   /** Of slices: all of them, in the order of their names. */
   readonly files?: readonly string[];
+  /** Each of the files is a scan of its own: together they are scans in time, in that order. */
+  readonly each?: true;
   /**
    * Sources of a lower number come first: what they read belongs to them, and is no source of its own. 0 manifests, 1 files of volumes and series, 2
    * packed files, which may be the data of a header.

@@ -1,14 +1,19 @@
 import { VolumeViewError } from '../core/errors.ts';
 import type { ByteStore } from '../sources/byte-store.ts';
 import { isPolar } from '../volume/volume.ts';
+import type { PolarGrid } from '../volume/polar-grid.ts';
+import type { Volume } from '../volume/volume.ts';
 import { decodeSource } from './decode-source.ts';
 import type { DecodeOptions, SourceVolume } from './decode-source.ts';
 import type { Source } from './find-sources.ts';
 import { drawPoster } from './draw-poster.ts';
 import { encodePoster } from './encode-poster.ts';
 import { encodePng } from './radar-mosaic.ts';
+import { layOut } from './mosaic-layout.ts';
 import { maxMosaicEdge, phoneMosaicEdge, writeMosaic } from './write-mosaic.ts';
+import { makeOmeZarr } from './write-ome-zarr.ts';
 import { writeRadar } from './write-radar.ts';
+import type { StoreFile } from './zarr-arrays.ts';
 
 /** How volumes are written. */
 export interface PrepareOptions extends DecodeOptions {
@@ -16,6 +21,13 @@ export interface PrepareOptions extends DecodeOptions {
   readonly fit: 'desktop' | 'phone';
   /** Pixels across and down of the picture of a volume; 0 for none. */
   readonly poster: number;
+}
+
+/** Which volumes become pyramids: all, or those that are larger than a mosaic. */
+export interface PyramidOptions {
+  readonly of: 'all' | 'large';
+  /** gzip. */
+  pack(bytes: Uint8Array): Uint8Array;
 }
 
 /** What is said of a volume that was written: numbers and words of the program, nothing else of the file. */
@@ -26,9 +38,9 @@ export interface VolumeReport {
   readonly dimensions: readonly number[];
   /** The same before it was made smaller; absent if it was not. */
   readonly from?: readonly number[];
-  /** Of a pixel. */
+  /** Of a pixel, or of a number of a pyramid. */
   readonly bits: number;
-  /** Of the image. */
+  /** Of the image, or of all files of a pyramid; of a video its part of them. */
   readonly bytes: number;
   /** In data values. Of labels that were made smaller it has the share of voxels that changed. */
   readonly error: { readonly max: number; readonly rms: number; readonly changedLabels?: number };
@@ -51,6 +63,13 @@ export interface PreparedVolume {
   readonly report: VolumeReport;
 }
 
+/** A volume as an OME-Zarr. */
+export interface PreparedPyramid extends Pick<PreparedVolume, 'number' | 'series' | 'poster'> {
+  /** Read once, while they are written. */
+  readonly files: Iterable<StoreFile>;
+  readonly report: Omit<VolumeReport, 'bytes'>;
+}
+
 /** A volume that could not be written. */
 export interface PrepareFailure {
   readonly number: number;
@@ -59,18 +78,33 @@ export interface PrepareFailure {
 }
 
 /**
- * Makes all volumes of a source ready, one after another.
+ * Makes all volumes of a source ready, one after another: as mosaics where nothing is said of pyramids.
  * @throws {VolumeViewError} where the first one can't be read
  */
+export function prepareSource(
+  store: ByteStore,
+  source: Source,
+  options: PrepareOptions,
+): AsyncGenerator<PreparedVolume | PrepareFailure>;
+export function prepareSource(
+  store: ByteStore,
+  source: Source,
+  options: PrepareOptions,
+  pyramids: PyramidOptions | undefined,
+): AsyncGenerator<PreparedVolume | PreparedPyramid | PrepareFailure>;
 export async function* prepareSource(
   store: ByteStore,
   source: Source,
   options: PrepareOptions,
-): AsyncGenerator<PreparedVolume | PrepareFailure> {
+  pyramids?: PyramidOptions,
+): AsyncGenerator<PreparedVolume | PreparedPyramid | PrepareFailure> {
   for await (const one of decodeSource(store, source, options)) {
     try {
       if ('error' in one) throw one.error;
-      yield await prepareVolume(store, source, one, options);
+      yield (
+        (pyramids && (await preparePyramid(one, options, pyramids))) ??
+        (await prepareMosaic(store, source, one, options))
+      );
     } catch (error) {
       yield { number: one.number, ...describeFailure(error) };
     }
@@ -84,30 +118,56 @@ export function describeFailure(error: unknown): { readonly code: string; readon
   return { code: 'internal', message: `this file makes volume-view-prepare fail (${kind}); please report it` };
 }
 
-async function prepareVolume(
+/** @returns null where a volume becomes a mosaic: it is not large, or OME-Zarr can't say where its voxels are */
+async function preparePyramid(
+  { number, series, volume, time }: SourceVolume,
+  { poster: posterSize }: PrepareOptions,
+  pyramids: PyramidOptions,
+): Promise<PreparedPyramid | null> {
+  const { dimensions } = volume.grid;
+  if (pyramids.of === 'large' && (isPolar(volume) || layOut(dimensions, maxMosaicEdge))) return null;
+  try {
+    const { bits, error, files } = makeOmeZarr(volume, (bytes) => pyramids.pack(bytes));
+    const report = { ...describeVolume({ volume, time }, []), dimensions, bits, error };
+    return { number, series, poster: await posterOf(volume, posterSize), files, report };
+  } catch (error) {
+    if (pyramids.of === 'large' && error instanceof VolumeViewError) return null;
+    throw error;
+  }
+}
+
+/** What is said of a volume in each form. @param more - what the form leaves out */
+export function describeVolume(
+  { volume: { format, unit, left, radar }, time }: Pick<SourceVolume, 'volume' | 'time'>,
+  more: readonly string[],
+): Pick<VolumeReport, 'format' | 'unit' | 'time' | 'left'> {
+  const all = [...more, ...(left ?? []), ...(radar?.left ?? []), ...(radar?.partial ? [radar.partial] : [])];
+  return { format, unit, ...(time === null ? {} : { time }), ...(all.length > 0 ? { left: all } : {}) };
+}
+
+/** Gates, rays and sweeps, of the largest sweep. */
+export const sizeOfRadar = ({ sweeps }: PolarGrid): number[] => [
+  Math.max(...sweeps.map(({ gates }) => gates)),
+  Math.max(...sweeps.map(({ azimuths }) => azimuths.length)),
+  sweeps.length,
+];
+
+export const posterOf = async (volume: Volume, size: number): Promise<Uint8Array | null> =>
+  size > 0 ? encodePoster(await drawPoster(volume, size)) : null;
+
+async function prepareMosaic(
   store: ByteStore,
   { first }: Source,
   { number, series, volume: { channels, ...volume }, time }: SourceVolume,
   { fit, moment, poster: posterSize }: PrepareOptions,
 ): Promise<PreparedVolume> {
-  const { format, unit } = volume;
-  const left = [
-    ...(channels ? ['the colours: a mosaic holds one number for each voxel, which is their brightness'] : []),
-    ...(volume.left ?? []),
-    ...(volume.radar?.left ?? []),
-    ...(volume.radar?.partial ? [volume.radar.partial] : []),
-  ];
-  const said = { format, unit, ...(time === null ? {} : { time }), ...(left.length > 0 ? { left } : {}) };
-  const poster = posterSize > 0 ? encodePoster(await drawPoster(volume, posterSize)) : null;
+  const colors = channels ? ['the colours: a mosaic holds one number for each voxel, which is their brightness'] : [];
+  const said = describeVolume({ volume, time }, colors);
+  const poster = await posterOf(volume, posterSize);
   if (isPolar(volume)) {
     const { image, manifest, rounding, rms } = await writeRadar(store, first, number - 1, moment);
     const png = encodePng(image);
-    const sweeps = volume.grid.sweeps;
-    const dimensions = [
-      Math.max(...sweeps.map(({ gates }) => gates)),
-      Math.max(...sweeps.map(({ azimuths }) => azimuths.length)),
-      sweeps.length,
-    ];
+    const dimensions = sizeOfRadar(volume.grid);
     return {
       number,
       series,

@@ -4,6 +4,9 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeSource } from './decode-source.ts';
 import type { DecodeOptions } from './decode-source.ts';
+import type { Source } from './find-sources.ts';
+import { describeVolume, sizeOfRadar } from './prepare-source.ts';
+import type { VolumeReport } from './prepare-source.ts';
 import { unused } from './video-codes.ts';
 import { writeMosaic } from './write-mosaic.ts';
 import { writeRadar } from './write-radar.ts';
@@ -24,20 +27,22 @@ export interface VideoScan {
   readonly step: number;
   /** What is said of it, but how its pixels are numbers. */
   readonly manifest: Readonly<Record<string, unknown>>;
+  readonly report: Pick<VolumeReport, 'format' | 'unit' | 'dimensions' | 'from' | 'time' | 'left'>;
 }
 
 /**
- * All scans of a file, one after another.
- * @throws {VolumeViewError} where one can't be read, or holds labels
+ * All scans of a source, one after another.
+ * @throws {VolumeViewError} where one can't be read, or holds labels, or where there are several series
  */
 export async function* readVideoScans(
   store: ByteStore,
-  url: string,
+  source: Source,
   options: DecodeOptions,
 ): AsyncGenerator<VideoScan> {
-  for await (const one of decodeSource(store, { first: url, phase: 1 }, options)) {
+  for await (const one of decodeSource(store, source, options)) {
     if ('error' in one) throw one.error;
-    const { volume, time, number } = one;
+    const { volume, time, number, series } = one;
+    if (series > 0) throw new VolumeViewError('format/unsupported', 'got several series; expected one for a video');
     if (volume.isDiscrete)
       throw new VolumeViewError(
         'format/unsupported',
@@ -45,14 +50,24 @@ export async function* readVideoScans(
       );
     const isRadar = isPolar(volume);
     const written = isPolar(volume)
-      ? await writeRadar(store, url, number - 1, options.moment)
+      ? {
+          ...(await writeRadar(store, source.first, number - 1, options.moment)),
+          dimensions: sizeOfRadar(volume.grid),
+          from: [],
+        }
       : writeMosaic(volume, maxEdge);
+    const { dimensions, from } = written;
     const { width, height, data } = written.image;
     const { slope = 1, intercept = 0, noData, prepared: _, time: _own, ...manifest } = written.manifest;
     const empty = isRadar ? 0 : noData;
     const values = Float64Array.from(data, (pixel) => (pixel === empty ? NaN : slope * pixel + intercept));
     if (!isRadar) leaveOutTiles(values, written.manifest, { width, height });
-    yield { volume, isRadar, time, width, height, values, step: slope, manifest };
+    const report = {
+      ...describeVolume({ volume, time }, []),
+      dimensions,
+      ...(isRadar || String(from) === String(dimensions) ? {} : { from }),
+    };
+    yield { volume, isRadar, time, width, height, values, step: slope, manifest, report };
   }
 }
 

@@ -6,6 +6,8 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { Samples } from '../volume/samples.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { ErrorSum } from './measure-error.ts';
+import type { ValueError } from './measure-error.ts';
 import { orderAxes } from './order-axes.ts';
 import { jsonOf, writeArray } from './zarr-arrays.ts';
 import type { ArrayData, ArrayLayout, StoreFile } from './zarr-arrays.ts';
@@ -24,19 +26,44 @@ interface Written {
   readonly samples: Samples;
   readonly offset: number;
   readonly type: 'uint8' | 'int8' | 'uint16' | 'int16' | 'int32' | 'float32';
+  /** What rounding to this type changes, in data values. */
+  readonly error: ValueError;
+}
+
+/** A volume that is ready to be written. */
+export interface OmeZarr {
+  /** Of a number. */
+  readonly bits: number;
+  /** Of the finest level. */
+  readonly error: ValueError;
+  /** One after the other, so that only one shard is held in addition to the volume and its levels. */
+  readonly files: Iterable<StoreFile>;
 }
 
 /**
- * Writes a volume as OME-Zarr 0.5: a pyramid of means whose voxels are where they are at each level, in shards, and next to it what each
- * level hides. One file after the other, so that only one shard is held in addition to the volume and its levels.
+ * A volume as OME-Zarr 0.5: a pyramid of means whose voxels are where they are at each level, in shards, and next to it what each
+ * level hides.
  * @param pack - gzip
  * @throws {VolumeViewError} `format/unsupported` for what OME-Zarr can't say: places that are turned, labels, channels and radars
  */
-export function* writeOmeZarr(volume: Volume, pack: ArrayLayout['pack']): Generator<StoreFile> {
+export function makeOmeZarr(volume: Volume, pack: ArrayLayout['pack']): OmeZarr {
   refuseOthers(volume);
-  const { grid, samples: inOrder } = orderAxes(volume);
+  const { grid, samples } = orderAxes(volume);
   const axes = describeAxes(grid, volume.anatomical === true);
-  const { samples, offset, type } = chooseNumbers({ ...volume, samples: inOrder });
+  const written = chooseNumbers({ ...volume, samples });
+  return {
+    bits: 8 * arrays[written.type].BYTES_PER_ELEMENT,
+    error: written.error,
+    files: writeFiles(volume, { grid, axes, written }, pack),
+  };
+}
+
+function* writeFiles(
+  volume: Volume,
+  { grid, axes, written }: { readonly grid: GridFrame; readonly axes: Axes; readonly written: Written },
+  pack: ArrayLayout['pack'],
+): Generator<StoreFile> {
+  const { samples, offset, type } = written;
   const pyramid = buildPyramid({ samples, dimensions: grid.dimensions }, side);
   const layout = { side, chunksPerShard, pack };
   yield [
@@ -136,12 +163,21 @@ function placesOf({ scale, translation }: Axes, level: number): readonly object[
 
 /** Whole numbers keep a type of whole numbers. Numbers with a factor of their own become floats, as OME-Zarr has no factors. */
 function chooseNumbers({ samples, slope, intercept, range }: Volume): Written {
-  if (samples instanceof Float32Array && slope === 1 && intercept === 0) return { samples, offset: 0, type: 'float32' };
+  const exact = { max: 0, rms: 0 };
+  if (samples instanceof Float32Array && slope === 1 && intercept === 0)
+    return { samples, offset: 0, type: 'float32', error: exact };
   const [low, high] = range;
   const isWhole = !(samples instanceof Float32Array) && slope === 1 && Number.isInteger(intercept);
   const type = isWhole && wholeTypes.find((one) => low >= ranges[one][0] && high <= ranges[one][1]);
-  if (type) return { samples, offset: intercept, type };
-  return { samples: Float32Array.from(samples, (sample) => slope * sample + intercept), offset: 0, type: 'float32' };
+  if (type) return { samples, offset: intercept, type, error: exact };
+  const numbers = new Float32Array(samples.length);
+  const sum = new ErrorSum();
+  for (let at = 0; at < samples.length; at++) {
+    const value = slope * samples[at] + intercept;
+    numbers[at] = value;
+    if (value === value) sum.add(numbers[at] - value);
+  }
+  return { samples: numbers, offset: 0, type: 'float32', error: sum.error };
 }
 
 const wholeTypes = ['uint8', 'int8', 'uint16', 'int16', 'int32'] as const;

@@ -308,7 +308,7 @@ await check(`ended at ${values.kills} moments it leaves no half folder, and the 
 await check('what can not be done is said in words', () => {
   for (const [args, words] of /** @type {[string[], RegExp][]} */ ([
     [[folder], /--out/],
-    [[folder, '--out', site, '--as', 'video'], /expected mosaic or single-file/],
+    [[folder, '--out', site, '--as', 'page'], /expected mosaic, ome-zarr, video, single-file/],
     [[folder, '--out', site, '--fit', 'watch'], /expected phone/],
     [[folder, '--out', site, '--jobs', '0'], /whole number from 1/],
     [[folder, '--out', site, '--memory', '1.5'], /whole number from 1/],

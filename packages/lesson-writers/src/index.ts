@@ -7,7 +7,7 @@ export { escapeMarkup, unescapeMarkup } from './write-html.ts';
 export { writeEmbedFiles } from './write-embed.ts';
 export type { EmbedOptions } from './write-embed.ts';
 export { writeH5pFiles } from './write-h5p.ts';
-export { writePageFiles } from './write-page.ts';
+export { playerFolder, writePageFiles } from './write-page.ts';
 export { largeFile, writeSingleFile } from './write-single-file.ts';
 export { writeCmi5Files } from './write-cmi5.ts';
 export type { Cmi5Options } from './write-cmi5.ts';

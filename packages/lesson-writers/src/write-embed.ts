@@ -17,6 +17,7 @@ import {
   sortFiles,
   writeCredits,
   writeDocument,
+  writeHead,
   writePage,
   writePageFiles,
 } from './write-page.ts';
@@ -24,6 +25,8 @@ import {
 export interface EmbedOptions {
   /** Where the folder will be: `https://example.org/brain/`. Other sites need whole addresses. */
   readonly address: string;
+  /** The element's own files are next to the folder, for several lessons, and not in it. */
+  readonly sharedPlayer?: boolean;
 }
 
 /** CSS pixels of a frame, where the page around it does not follow the height of the lesson. */
@@ -40,31 +43,35 @@ const posterPolicy = "default-src 'self'; object-src 'none'; base-uri 'none'; fo
  * origin a page may read no file of its server that does not allow it: so the page for frames has the data inside.
  * @throws {LessonError} where something in the lesson is refused
  */
-export function writeEmbedFiles(lesson: Lesson, player: Player, { address }: EmbedOptions): LessonFile[] {
+export function writeEmbedFiles(lesson: Lesson, player: Player, { address, sharedPlayer }: EmbedOptions): LessonFile[] {
   const place = readPlace(address);
+  const playerAt = sharedPlayer ? `../${playerFolder}` : playerFolder;
+  const head = writeHead({ playerAt });
   const { nodes, addressOf } = putInside(lesson);
   const poster = findPoster(lesson, nodes);
   const page = writePage(lesson, nodes, {
     ...folderForm,
     addressOf,
+    head,
     linksLeave: true,
     // Without an origin a page keeps no answers; and the part after the # is of the page around the frame.
     leftOut: ['remember', 'link-state'],
-    end: `<script src="${playerFolder}embed.js" data-page="lesson"></script>\n`,
+    end: `<script src="${playerAt}embed.js" data-page="lesson"></script>\n`,
   });
   const frames = player.filter(({ path }) => isForFrames(path));
   if (!frames.some(({ path }) => path === 'embed.js')) throw new RangeError('the player lacks embed.js');
-  return sortFiles([
-    ...writePageFiles(lesson, player, { ...folderForm, head: folderForm.head + writeDiscovery(lesson, place) }),
+  const files = sortFiles([
+    ...writePageFiles(lesson, player, { ...folderForm, head: head + writeDiscovery(lesson, place) }),
     ...frames.map(({ path, bytes }) => ({ path: playerFolder + path, bytes })),
     { path: 'oembed.json', bytes: encode(writeOembed(lesson, place, poster)) },
     ...(poster
       ? [
-          { path: 'embed.html', bytes: encode(writePosterPage(lesson, poster)) },
+          { path: 'embed.html', bytes: encode(writePosterPage(lesson, poster, playerAt)) },
           { path: 'embed-lesson.html', bytes: encode(page) },
         ]
       : [{ path: 'embed.html', bytes: encode(page) }]),
   ]);
+  return sharedPlayer ? files.filter(({ path }) => !path.startsWith(playerFolder)) : files;
 }
 
 const refuse = (message: string): LessonError => new LessonError([{ message, line: null }]);
@@ -134,19 +141,19 @@ function writeOembed({ title, credits, licence }: Lesson, place: string, poster:
 }
 
 /** The page of the frame at first: the poster, a link to the lesson, and whose data they are. It loads nothing else. */
-function writePosterPage(lesson: Lesson, { address, alt }: Poster): string {
+function writePosterPage(lesson: Lesson, { address, alt }: Poster, playerAt: string): string {
   const { title, language } = lesson;
   return writeDocument(
     lesson,
     `<meta http-equiv="Content-Security-Policy" content="${posterPolicy}">
-<link rel="stylesheet" href="${playerFolder}embed.css">
+<link rel="stylesheet" href="${playerAt}embed.css">
 `,
     `<main>
 <div class="poster"><img src="${address}" alt="${escapeMarkup(alt || title)}"><a href="embed-lesson.html">${wordOfShow([language])}</a></div>
 <footer class="credits">
 ${writeCredits(lesson)}</footer>
 </main>
-<script src="${playerFolder}embed.js" data-page="poster" data-next="embed-lesson.html"></script>
+<script src="${playerAt}embed.js" data-page="poster" data-next="embed-lesson.html"></script>
 `,
   );
 }

@@ -26,17 +26,20 @@ const policy =
  * The end of the head of a page with the element's own files next to it.
  * @param connect - where its scripts may send something to; the page's own files where undefined
  * @param script - whether the element is loaded at once
+ * @param playerAt - the address of the folder with the element's own files
  */
 export function writeHead({
   connect,
   script = true,
+  playerAt = playerFolder,
 }: {
   readonly connect?: string;
   readonly script?: boolean;
+  readonly playerAt?: string;
 }): string {
   const whole = connect ? `${policy}; connect-src ${connect}` : policy;
-  const tag = script ? `<script src="${playerFolder}${playerScript}"></script>\n` : '';
-  return `<meta http-equiv="Content-Security-Policy" content="${whole}">\n<link rel="stylesheet" href="${playerFolder}volume-view.css">\n<link rel="stylesheet" href="lesson.css">\n${tag}`;
+  const tag = script ? `<script src="${playerAt}${playerScript}"></script>\n` : '';
+  return `<meta http-equiv="Content-Security-Policy" content="${whole}">\n<link rel="stylesheet" href="${playerAt}volume-view.css">\n<link rel="stylesheet" href="lesson.css">\n${tag}`;
 }
 
 /** The longest title, licence or credits. */

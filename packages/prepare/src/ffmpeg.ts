@@ -80,7 +80,10 @@ function run(options: readonly string[]): void {
   const { status, stderr } = spawnSync('ffmpeg', ['-hide_banner', '-loglevel', 'error', '-nostdin', '-y', ...options], {
     encoding: 'utf8',
   });
-  if (status !== 0) throw new Error(`ffmpeg failed: ${stderr.trim().split('\n').at(-1)?.slice(0, 300)}`);
+  if (status === 0) return;
+  const why = stderr.trim().split('\n').at(-1)?.slice(0, 300);
+  const error = new Error(`ffmpeg failed: ${why}`);
+  throw /No space left/.test(stderr) ? Object.assign(error, { code: 'ENOSPC' }) : error;
 }
 
 /** The brightness of all frames, one after another. */

@@ -11,6 +11,8 @@ export interface FolderRequest {
   readonly timeout: number;
   /** The program of a child process. */
   readonly child: URL;
+  /** The folder with the element's own files. */
+  readonly player: URL;
   /** Of the program: another version makes all again. */
   readonly version: string;
 }

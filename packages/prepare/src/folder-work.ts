@@ -1,6 +1,8 @@
 import { existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { RadarLook } from '../../../src/prepare/look-at-radar.ts';
 import type { ChildPool } from './child-pool.ts';
 import { stampAll } from './find-jobs.ts';
 import type { FolderSource } from './find-jobs.ts';
@@ -42,12 +44,40 @@ export class FolderWork {
     const left = all.filter(
       (one) => !this.#read.has(namesOf({ ...one, source: { ...one.source, files: undefined } }, [])[0]),
     );
+    await this.#each(left, (one) => this.#run(one));
+  }
+
+  async #each(left: readonly FolderSource[], work: (one: FolderSource) => Promise<void>): Promise<void> {
     let next = 0;
     const worker = async (): Promise<void> => {
-      while (next < left.length) await this.#run(left[next++]);
+      while (next < left.length) await work(left[next++]);
     };
     const jobs = this.request.jobs ?? Math.max(1, availableParallelism() - 1);
     await Promise.all(Array.from({ length: jobs }, worker));
+  }
+
+  /** What of radar scans says which of them make one video, by the keys of their sources. What was known before is not looked up again. */
+  async lookAtRadars(all: readonly FolderSource[]): Promise<Map<string, RadarLook>> {
+    const looks = new Map<string, RadarLook>();
+    const { state, pool, site } = this.at;
+    const left = all.filter(({ source, place }) => source.phase > 0 && !source.files && place.archive === undefined);
+    await this.#each(left, async (one) => {
+      const key = `look ${one.key}`;
+      this.keys.add(key);
+      const stamp = stampAll(pathsOf(one, []));
+      let known = state.sources.get(key);
+      if (known?.stamp !== stamp || known.made !== this.#made) {
+        const { place, source } = one;
+        const { salt } = state;
+        const { options, player } = this.request;
+        const job = { place, source, site, salt, options, player: fileURLToPath(player), looks: true } as const;
+        known = { ...(await pool.run(job)), lines: [], stamp, made: this.#made };
+        state.keepSource(key, known);
+      }
+      if (known.look) looks.set(one.key, known.look);
+      this.at.output.progress(`looked at ${looks.size} radar scans`);
+    });
+    return looks;
   }
 
   report(key: string, lines: readonly Line[], isKnown: boolean): void {
@@ -82,7 +112,9 @@ export class FolderWork {
       return this.report(key, known.lines, true);
     }
     const before = stampAll(pathsOf(one, []));
-    const result = await pool.run({ place, source, site, salt: state.salt, options: this.request.options });
+    const { options, player } = this.request;
+    const job = { place, source, site, salt: state.salt, options, player: fileURLToPath(player) };
+    const result = await pool.run(job);
     const paths = pathsOf(one, result.read);
     for (const name of namesOf(one, result.read)) this.#read.add(name);
     // A full disk is not the fault of the file.

@@ -6,8 +6,10 @@ import type { FolderRequest, Output } from './folder-request.ts';
 import { FolderWork } from './folder-work.ts';
 import { Misuse } from './misuse.ts';
 import { PrivateState } from './private-state.ts';
-import { copyScript, writeIndexPage } from './site-files.ts';
+import { joinRadarScans } from './join-radar-scans.ts';
+import { copyPlayer, copyScript, writeIndexPage } from './site-files.ts';
 import { removeUnfinished, writeWhole } from './write-folder.ts';
+import { isPackage } from './write-packages.ts';
 
 /**
  * Makes a site of all volumes in a folder. A volume that was made before, and whose files have not changed, is left as it is.
@@ -30,13 +32,19 @@ export async function prepareFolder(request: FolderRequest, output: Output): Pro
   const work = new FolderWork(request, { folder, site, state, pool, output });
   try {
     for (const { key, ...line } of found.bad) work.report(key, [line], false);
-    for (const phase of [0, 1, 2]) await work.runAll(found.sources.filter(({ source }) => source.phase === phase));
+    const sources =
+      request.options.as === 'video'
+        ? joinRadarScans(folder, found.sources, await work.lookAtRadars(found.sources))
+        : found.sources;
+    for (const phase of [0, 1, 2]) await work.runAll(sources.filter(({ source }) => source.phase === phase));
   } finally {
     pool.close();
   }
   await writeIndexPage(site, work.done);
   await writeWhole(state.folder, 'scans.tsv', work.table.map((row) => `${row}\n`).join(''));
-  await copyScript(site, output.say);
+  const { as } = request.options;
+  if (as === 'embed') await copyPlayer(site, request.player);
+  else if (!isPackage(as)) await copyScript(site, request.player);
   await state.compact(found.files, work.keys);
   state.unlock();
   output.progress('');

@@ -1,55 +1,39 @@
 import { createHash, createHmac } from 'node:crypto';
-import { basename } from 'node:path';
-import { describeFailure, prepareSource } from '../../../src/prepare/prepare-source.ts';
-import type { PreparedVolume } from '../../../src/prepare/prepare-source.ts';
-import { pathOf } from '../../../src/sources/byte-store.ts';
+import type { Source } from '../../../src/prepare/find-sources.ts';
+import { lookAtRadar } from '../../../src/prepare/look-at-radar.ts';
+import { describeFailure } from '../../../src/prepare/prepare-source.ts';
 import type { ByteStore } from '../../../src/sources/byte-store.ts';
-import { formatManifest } from './format-manifest.ts';
-import type { DoneLine, Job, JobResult, Line } from './job.ts';
-import { findSeries, writeSeries } from './write-series.ts';
-import type { WrittenScan } from './write-series.ts';
+import type { Job, JobResult, Line } from './job.ts';
 import { hideNames, openPlace, WatchedStore } from './open-place.ts';
-import { writeScanPage } from './site-pages.ts';
-import { writeFolder } from './write-folder.ts';
+import { nameOfSource, writeScans } from './write-scans.ts';
 
 /** Reads a source, and writes a folder for each of its volumes. Never rejects: what fails is a line. */
-export async function runJob({ place, source, site, salt, options }: Job): Promise<JobResult> {
+export async function runJob({ place, source, salt, looks, ...job }: Job): Promise<JobResult> {
   const lines: Line[] = [];
-  const written: WrittenScan[] = [];
   let content = '';
+  let look: JobResult['look'];
   let watched: WatchedStore | null = null;
   try {
-    watched = new WatchedStore(await openPlace(place));
-    const store = await hideNames(watched, place);
-    const hidden = { ...source, first: store.hide(source.first), files: source.files?.map((url) => store.hide(url)) };
-    let id = '';
-    for await (const one of prepareSource(store, hidden, options)) {
-      content ||= await hashFiles(watched.inner, [...(source.files ?? []), ...watched.wasRead, source.first]);
-      id ||= createHmac('sha256', salt).update(content).digest('hex').slice(0, 16);
-      if ('code' in one) {
-        lines.push({ status: 'failed', code: one.code, message: one.message });
-        continue;
-      }
-      const own = one.number === 1 ? id : `${id}-${one.number}`;
-      const line = await writeVolume(one, own, { place, source, site, options });
-      written.push({
-        line,
-        place: lines.push(line) - 1,
-        series: one.series,
-        manifest: one.manifest,
-        poster: one.poster,
-      });
+    const own = new WatchedStore(await openPlace(place));
+    watched = own;
+    const store = await hideNames(own, place);
+    const hidden = (urls: readonly string[] | undefined) => urls?.map((url) => store.hide(url));
+    const sources: Source[] = source.each
+      ? hidden(source.files)!.map((first) => ({ first, phase: 1 }))
+      : [{ ...source, first: store.hide(source.first), files: hidden(source.files) }];
+    const id = async (): Promise<string> => {
+      content ||= await hashFiles(own.inner, [...(source.files ?? []), ...own.wasRead, source.first]);
+      return createHmac('sha256', salt).update(content).digest('hex').slice(0, 16);
+    };
+    if (looks) look = await lookAtRadar(store, sources[0].first, job.options);
+    else {
+      const name = job.options.keepNames ? nameOfSource(source) : null;
+      lines.push(...(await writeScans({ ...job, store, sources, name, id })));
     }
-    // A page that holds the volumes of all times would be as large as all of them.
-    if (options.as === 'mosaic')
-      for (const scans of findSeries(written)) {
-        const page = await writeSeries(site, scans);
-        for (const { line, place } of scans) lines[place] = { ...line, scans: page };
-      }
   } catch (error) {
     lines.push({ status: 'failed', ...(describeWriting(error) ?? describeFailure(error)) });
   }
-  return { lines, read: [...(watched?.wasRead ?? [])], content };
+  return { lines, read: [...(watched?.wasRead ?? [])], content, ...(look === undefined ? {} : { look }) };
 }
 
 /** The code of a failure that is not the fault of the file. */
@@ -65,33 +49,6 @@ function describeWriting(error: unknown): { readonly code: string; readonly mess
     ? { code: notWritable, message: `the site got no file: ${known}; make it possible, and run the command again` }
     : null;
 }
-
-async function writeVolume(
-  { png, poster, manifest, report, number }: PreparedVolume,
-  id: string,
-  { source, site, options }: Pick<Job, 'place' | 'source' | 'site' | 'options'>,
-): Promise<DoneLine> {
-  // Names of DICOM files, and of their folders, are never kept.
-  const own = options.keepNames && !source.files ? nameOf(source.first) : `Scan ${id.slice(0, 8)}`;
-  const title = number > 1 ? `${own}, ${number}` : own;
-  const line: DoneLine = { status: 'done', id, title, page: `${id}/index.html`, ...report };
-  const titled = { title, ...manifest };
-  const files: Record<string, Uint8Array | string> = poster ? { 'poster.png': poster } : {};
-  if (options.as === 'single-file') {
-    const image = `data:image/png;base64,${Buffer.from(png.buffer, png.byteOffset, png.byteLength).toString('base64')}`;
-    // In a URL only these signs of JSON have another meaning.
-    const json = JSON.stringify({ image, ...titled }).replace(/[%#\s]/g, encodeURIComponent);
-    files['index.html'] = writeScanPage(line, `data:application/json,${json}`, poster !== null);
-  } else {
-    files['volume.png'] = png;
-    files['volume.json'] = formatManifest({ image: 'volume.png', ...titled });
-    files['index.html'] = writeScanPage(line, 'volume.json', poster !== null);
-  }
-  await writeFolder(site, id, Object.entries(files));
-  return line;
-}
-
-const nameOf = (url: string): string => basename(pathOf(url)).slice(0, 200);
 
 /** One number for the bytes of files, in the order of their names. */
 export async function hashFiles(store: ByteStore, urls: readonly string[]): Promise<string> {

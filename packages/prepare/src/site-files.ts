@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { playerFolder } from '../../lesson-writers/src/index.ts';
 import type { DoneLine } from './job.ts';
 import { partsName, scriptName, writeIndex, x3domName } from './site-pages.ts';
 import { copyFolder, writeWhole } from './write-folder.ts';
@@ -20,33 +21,22 @@ export async function writeChanged(folder: string, name: string, text: string): 
   return true;
 }
 
-/** Copies the element's script and its parts, where the package is installed, and again after it became another version. */
-export async function copyScript(site: string, say: (text: string) => void): Promise<void> {
-  const script = findScript();
+/** Copies the element's script and its parts, and again after they became another version. @param player - with the element's own files */
+export async function copyScript(site: string, player: URL): Promise<void> {
+  const from = fileURLToPath(player);
+  const bytes = readFileSync(join(from, scriptName));
   const target = join(site, scriptName);
-  if (!script) {
-    if (!existsSync(target))
-      say(
-        `the pages need ${scriptName}, ${x3domName} and the folder ${partsName}: copy them from the folder dist of the package volume-view into ${site}`,
-      );
-    return;
-  }
-  const bytes = readFileSync(script);
   if (existsSync(target) && readFileSync(target).equals(bytes)) return;
-  await copyFolder(join(dirname(script), partsName), site, partsName);
-  await writeWhole(site, x3domName, readFileSync(join(dirname(script), x3domName)));
+  await copyFolder(join(from, partsName), site, partsName);
+  await writeWhole(site, x3domName, readFileSync(join(from, x3domName)));
   // Last, because where it is, its parts are there too.
   await writeWhole(site, scriptName, bytes);
 }
 
-/** The script of the element, where the package is installed. */
-function findScript(): string | null {
-  for (const from of [import.meta.url, join(process.cwd(), 'package.json')]) {
-    try {
-      return createRequire(from).resolve(`volume-view/${scriptName}`);
-    } catch {
-      // Not there.
-    }
-  }
-  return null;
+/** Copies the element's own files for pages in frames, which share them, and again after they became another version. */
+export async function copyPlayer(site: string, player: URL): Promise<void> {
+  const from = fileURLToPath(player);
+  const target = join(site, playerFolder, scriptName);
+  if (existsSync(target) && readFileSync(target).equals(readFileSync(join(from, scriptName)))) return;
+  await copyFolder(from, site, playerFolder.replace('/', ''));
 }

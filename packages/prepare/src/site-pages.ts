@@ -1,5 +1,5 @@
 import { escapeMarkup } from '../../lesson-writers/src/index.ts';
-import type { DoneLine } from './job.ts';
+import type { DoneLine, SiteForm } from './job.ts';
 
 /** The script of the element; it lies next to index.html. */
 export const scriptName = 'volume-view.iife.js';
@@ -47,7 +47,7 @@ export function writeSeriesPage(lines: readonly Omit<DoneLine, 'page'>[], src: s
   return `${head(first.title, 'volume-view { width: 100%; height: min(70vh, 44rem) }')}<h1>${escapeMarkup(first.title)}</h1>
 <volume-view id="view" controls alt="${escapeMarkup(altOf(first))}" src="${escapeMarkup(src)}"${poster}></volume-view>
 <volume-timeline for="view"></volume-timeline>
-<p>${escapeMarkup(describeSeries(lines))}</p>
+<p>${escapeMarkup(describeScans(lines))}</p>
 <p><a href="../index.html">All scans</a></p>
 <script src="../${scriptName}"></script>
 </html>
@@ -108,7 +108,7 @@ export function writeIndex(lines: readonly (DoneLine & { readonly hasPoster: boo
       page,
       [line, ...more],
     ]) => `  <li><a href="${escapeMarkup(page)}">${line.hasPoster ? `<img src="${line.id}/poster.png" loading="lazy" alt="">` : ''}
-    <strong>${escapeMarkup(line.title)}</strong></a><br>${escapeMarkup(more.length > 0 ? describeSeries([line, ...more]) : describe(line))}</li>`,
+    <strong>${escapeMarkup(line.title)}</strong></a><br>${escapeMarkup(describeScans([line, ...more]))}</li>`,
   );
   return `${head(
     'Scans',
@@ -123,15 +123,26 @@ ${cards.join('\n')}
 `;
 }
 
-/** The first scan, how many there are, and from when to when. */
-function describeSeries(lines: readonly Omit<DoneLine, 'page'>[]): string {
+/** One scan; or the first one, how many there are, and from when to when. */
+export function describeScans(lines: readonly Omit<DoneLine, 'page'>[]): string {
   const [first, last] = [lines[0], lines[lines.length - 1]];
+  if (lines.length === 1) return describe(first);
   const when = first.time !== undefined && last.time !== undefined ? `, ${first.time} to ${last.time}` : '';
   const worst = lines.reduce((a, b) => (b.error.max > a.error.max ? b : a));
   return `${lines.length} times${when}: ${describe({ ...first, format: first.format.replace(/, volume 1 of \d+$/, ''), time: undefined, error: worst.error })}`;
 }
 
-function describe({ format, dimensions, from, error, unit, time }: Omit<DoneLine, 'page'>): string {
+/** What a form is, in words; nothing where it is a mosaic, as most are. */
+const forms: Readonly<Partial<Record<SiteForm, string>>> = {
+  'ome-zarr': 'levels of detail (OME-Zarr), of which the page loads what it shows; ',
+  video: 'a video of 8 bits; ',
+  scorm: 'a package for a course (SCORM 1.2); ',
+  'scorm-2004': 'a package for a course (SCORM 2004); ',
+  cmi5: 'a package for a course (cmi5); ',
+  h5p: 'a package of H5P; ',
+};
+
+function describe({ form, format, dimensions, from, error, unit, time }: Omit<DoneLine, 'page'>): string {
   const say = (value: number): string => `${Number(value.toPrecision(2))}${unit ? ` ${unit}` : ''}`;
   const changed =
     error.changedLabels === undefined
@@ -140,5 +151,5 @@ function describe({ format, dimensions, from, error, unit, time }: Omit<DoneLine
         : 'values as in the file'
       : `${(100 * error.changedLabels).toFixed(1)} % of the voxels have the label of a neighbour`;
   const size = from ? `${from.join(' x ')}, made smaller to ${dimensions.join(' x ')}` : dimensions.join(' x ');
-  return `${format}${time ? `, ${time}` : ''}: ${size}; ${changed}.`;
+  return `${format}${time ? `, ${time}` : ''}: ${size}; ${forms[form] ?? ''}${changed}.`;
 }

@@ -4,13 +4,17 @@
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism, totalmem } from 'node:os';
 import { basename } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { inspect, parseArgs } from 'node:util';
 import { makeRadarMosaic } from '../../../src/prepare/radar-mosaic.ts';
 import type { FolderRequest, Output } from './folder-request.ts';
+import { siteForms } from './job.ts';
+import type { SiteForm, SiteOptions } from './job.ts';
 import { formatManifest } from './format-manifest.ts';
 import { nameFiles } from './name-files.ts';
 import { Misuse } from './misuse.ts';
 import type { LessonWords } from './write-lesson.ts';
+import type { VideoOptions } from './write-video.ts';
 import { maxPageBytes, writePage } from './write-page.ts';
 import { version } from '../package.json';
 
@@ -24,8 +28,8 @@ volume-view-prepare FILE --as ome-zarr [--out NAME]
     each volume of the file as an OME-Zarr, the folder NAME.ome.zarr: levels of detail in small pieces, of which a page loads what it shows
 volume-view-prepare LESSON.html [--as page | single-file | embed | scorm | scorm-2004 | cmi5 | h5p] [--address URL] [--title TEXT] [--language CODE] [--licence TEXT] [--credits TEXT] [--pass PERCENT] [--out NAME]
     a lesson and the files that it names, as a folder for a web server, as one file that opens from disk, as a folder that other sites show in a frame (--address says where it will be), or as a package for a course (ZIP) or for H5P
-volume-view-prepare FOLDER --out SITE [--fit phone] [--as single-file] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--memory MEGABYTES] [--timeout SECONDS]
-    a folder SITE for a web server: a page for each volume in FOLDER, and index.html. One JSON line a volume on stdout
+volume-view-prepare FOLDER --out SITE [--fit phone] [--as mosaic | ome-zarr | video | single-file | embed | scorm | scorm-2004 | cmi5 | h5p] [--keep-names] [--moment NAME] [--poster PIXELS] [--jobs N] [--memory MEGABYTES] [--timeout SECONDS]
+    a folder SITE for a web server: a page or a package for each volume in FOLDER, and index.html. One JSON line a volume on stdout. --as video takes --codec and --error; --as embed, scorm, scorm-2004, cmi5 and h5p need --licence TEXT and --credits TEXT and take --language CODE, and embed needs --address URL of SITE
 volume-view-prepare FOLDER --out SITE --watch [--newest N] [--every SECONDS] [--settle SECONDS] [options of a folder]
     the same for a folder into which a radar writes, until you end it: SITE/newest/index.html shows the newest N scans with a timeline, and old ones are removed from SITE`;
 
@@ -77,33 +81,46 @@ async function writePyramids(path: string, out: string | undefined): Promise<voi
   }
 }
 
-async function writeFrames(
-  paths: readonly string[],
-  { codec = 'vp9', error = '0', moment, out }: { codec?: string; error?: string; moment?: string; out?: string },
-): Promise<void> {
+interface VideoValues {
+  readonly codec?: string;
+  readonly error?: string;
+}
+
+async function readVideoOptions({ codec = 'vp9', error = '0' }: VideoValues): Promise<VideoOptions> {
   const { codecs } = await import('./ffmpeg.ts');
   const known = codecs.find((one) => one === codec);
   if (!known) throw new Misuse(`got --codec ${codec}; expected ${codecs.join(' or ')}`);
   const limit = Number(error);
   if (!(limit >= 0 && limit < Infinity))
     throw new Misuse(`got --error ${error}; expected a number from 0, in data values`);
+  return { codec: known, error: limit };
+}
+
+async function writeFrames(
+  paths: readonly string[],
+  { moment, out, ...values }: VideoValues & { readonly moment?: string; readonly out?: string },
+): Promise<void> {
+  const options = await readVideoOptions(values);
   const { writeVideo } = await import('./write-video.ts');
-  const written = await writeVideo({
-    ...{ paths, codec: known, error: limit, moment, out },
-    deviceBytes: shareOfMemory * totalmem(),
-  });
+  const written = await writeVideo(paths, { ...options, moment, deviceBytes: shareOfMemory * totalmem() }, out);
   const { lossy, unit, changed } = written;
   const say = (value: number): string => `${Number(value.toPrecision(3))} ${unit}`.trim();
   console.log(
-    `${written.name}.webm and ${written.name}.json: ${written.frames} scans, ${written.bytes} bytes; values are off by ${say(lossy.rms)} (root mean square), ` +
+    `${written.name}.webm and ${written.name}.json: ${written.scans.length} scans, ${written.bytes} bytes; values are off by ${say(lossy.rms)} (root mean square), ` +
       `99 % of them by at most ${say(lossy.p99)}, at most by ${say(lossy.max)}; pictures by ${lossy.picture?.rms.toPrecision(2)} of 255`,
   );
   if (changed > 0) console.error(`${(100 * changed).toPrecision(2)} % of the places have data before or after alone`);
-  if (limit > 0 && lossy.rms > limit)
-    console.error(`--error ${error} was not reached: 8 bits alone leave more. Allow a larger error, or write mosaics`);
+  if (options.error > 0 && lossy.rms > options.error)
+    console.error(
+      `--error ${values.error} was not reached: 8 bits alone leave more. Allow a larger error, or write mosaics`,
+    );
 }
 
-interface SiteValues {
+interface SiteValues extends VideoValues {
+  readonly language?: string;
+  readonly licence?: string;
+  readonly credits?: string;
+  readonly address?: string;
   readonly as: string;
   readonly out?: string;
   readonly moment?: string;
@@ -120,19 +137,22 @@ interface SiteValues {
 }
 
 async function writeSite(folder: string, values: SiteValues): Promise<void> {
-  const { as, out, fit, moment } = values;
+  const { out, fit, moment } = values;
   if (out === undefined) throw new Misuse('got a folder without --out; expected --out SITE, the folder to write');
-  if (as !== 'mosaic' && as !== 'single-file') throw new Misuse(`got --as ${as}; expected mosaic or single-file`);
+  const as = siteForms.find((one) => one === values.as);
+  if (!as) throw new Misuse(`got --as ${values.as}; expected ${siteForms.join(', ')}`);
   if (fit !== 'desktop' && fit !== 'phone') throw new Misuse(`got --fit ${fit}; expected phone, or nothing`);
   const poster = readCount('poster', values.poster, [0, maxPoster]);
   const jobs = values.jobs === undefined ? undefined : readCount('jobs', values.jobs);
   const memory = values.memory === undefined ? totalmem() : 1e6 * readCount('memory', values.memory);
   if (values.watch && as !== 'mosaic') throw new Misuse(`got --as ${as} with --watch; expected mosaic, or nothing`);
+  const player = new URL('./player/', import.meta.url);
   const request = {
     folder,
     site: out,
     options: {
       as,
+      ...(await readFormOptions(as, values, player)),
       fit,
       poster,
       ...(moment === undefined ? {} : { moment }),
@@ -142,6 +162,7 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
     jobs,
     timeout: readCount('timeout', values.timeout),
     child: new URL('./child.js', import.meta.url),
+    player,
     version,
   } satisfies FolderRequest;
   const output: Output = {
@@ -152,6 +173,35 @@ async function writeSite(folder: string, values: SiteValues): Promise<void> {
   if (values.watch) return watchSite(request, values, output);
   const { prepareFolder } = await import('./prepare-folder.ts');
   process.exitCode = await prepareFolder(request, output);
+}
+
+/** Options that some forms have alone. */
+async function readFormOptions(
+  form: SiteForm,
+  { codec, error, language = 'en', licence = '', credits = '', address }: SiteValues,
+  player: URL,
+): Promise<Pick<SiteOptions, 'video' | 'words'>> {
+  const { checkPackageWords, isPackage } = await import('./write-packages.ts');
+  if (!isPackage(form) && (licence || credits || address !== undefined))
+    throw new Misuse(`got --licence, --credits or --address for ${form}; expected them with --as embed, scorm or h5p`);
+  if (form !== 'video' && (codec ?? error) !== undefined)
+    throw new Misuse(`got --codec or --error for ${form}; expected them with --as video`);
+  if (form === 'video') {
+    const video = await readVideoOptions({ codec, error });
+    (await import('./ffmpeg.ts')).checkFfmpeg(video.codec);
+    return { video };
+  }
+  if (!isPackage(form)) return {};
+  if (!licence || !credits)
+    throw new Misuse(
+      `got --as ${form} without --licence and --credits; expected both, such as --licence "CC BY 4.0" --credits "MRI: Department of Radiology, 2024": what is passed on says whose data it has`,
+    );
+  if (address !== undefined && form !== 'embed')
+    throw new Misuse(`got --address for ${form}; expected it with --as embed`);
+  const { readPlayer } = await import('./lesson-forms.ts');
+  const words = { language, licence, credits, ...(address === undefined ? {} : { address }) };
+  checkPackageWords({ form, words, player: await readPlayer(fileURLToPath(player)) });
+  return { words };
 }
 
 async function watchSite(request: FolderRequest, values: SiteValues, output: Output): Promise<void> {
@@ -180,7 +230,8 @@ interface LessonValues extends LessonWords {
 }
 
 async function writeCourse(path: string, { as = 'page', pass, address, out, ...words }: LessonValues): Promise<void> {
-  const { lessonForms, writeLesson } = await import('./write-lesson.ts');
+  const { lessonForms } = await import('./lesson-forms.ts');
+  const { writeLesson } = await import('./write-lesson.ts');
   const form = lessonForms.find((one) => one === as);
   if (!form) throw new Misuse(`got --as ${as}; expected ${lessonForms.join(', ')}`);
   if (pass !== undefined && !form.startsWith('scorm') && form !== 'cmi5')

@@ -129,7 +129,7 @@ class FolderWatch {
     this.#seriesWereFound ||= found.sources.some(({ source }) => source.files);
     const fresh = found.sources.filter((one) => this.#isFresh(one));
     for (const phase of [0, 1, 2]) await work.runAll(fresh.filter(({ source }) => source.phase === phase));
-    if (!this.#scriptIsThere) await copyScript(site, output.say);
+    if (!this.#scriptIsThere) await copyScript(site, this.request.player);
     this.#scriptIsThere = true;
     // At the start too: another run may have had other options.
     if (fresh.length === 0 && (this.#wasRolled || state.sources.size === 0)) return;

@@ -1,21 +1,10 @@
 import { readdir, readFile, stat } from 'node:fs/promises';
-import { basename, dirname, join, relative, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { zipSync } from 'fflate';
-import type { Zippable } from 'fflate';
-import {
-  LessonError,
-  largeFile,
-  listManifestFiles,
-  readLesson,
-  writeCmi5Files,
-  writeEmbedFiles,
-  writeH5pFiles,
-  writePageFiles,
-  writeScormFiles,
-  writeSingleFile,
-} from '../../lesson-writers/src/index.ts';
+import { LessonError, largeFile, listManifestFiles, readLesson } from '../../lesson-writers/src/index.ts';
 import type { Lesson, LessonFile, LessonProblem } from '../../lesson-writers/src/index.ts';
+import { makeLessonFiles, maxLessonBytes, readPlayer, zipFiles } from './lesson-forms.ts';
+import type { LessonForm, LessonFormOptions } from './lesson-forms.ts';
 import { nameFiles } from './name-files.ts';
 import { writeFolder, writeWhole } from './write-folder.ts';
 
@@ -27,25 +16,12 @@ export interface LessonWords {
   readonly credits?: string;
 }
 
-export const lessonForms = ['page', 'single-file', 'embed', 'scorm', 'scorm-2004', 'cmi5', 'h5p'] as const;
-
-/** What a lesson becomes: a folder, one page, or an archive. */
-export type LessonForm = (typeof lessonForms)[number];
-
-interface LessonOptions {
-  readonly as: LessonForm;
-  /** Percent of the questions. */
-  readonly pass: number | null;
-  /** Where the folder of a lesson for frames will be. */
-  readonly address: string | undefined;
+interface LessonOptions extends LessonFormOptions {
   readonly out: string | undefined;
   readonly words: LessonWords;
   /** The folder with the element's own files. */
   readonly player: URL;
 }
-
-/** Bytes of all files of a lesson: a package is made in memory, and few courses take larger ones. */
-const maxBytes = 2 ** 29;
 
 /**
  * Reads a lesson with the files that it names, and writes it: a folder, a page, or a ZIP archive.
@@ -54,7 +30,7 @@ const maxBytes = 2 ** 29;
  */
 export async function writeLesson(path: string, { as, pass, address, out, words, player }: LessonOptions) {
   const { lesson, left } = await readLessonFiles(path, words);
-  const files = makeFiles(lesson, await readPlayer(fileURLToPath(player)), { as, pass, address });
+  const files = makeLessonFiles(lesson, await readPlayer(fileURLToPath(player)), { as, pass, address });
   const own = nameFiles(path.replace(/\.x?html?$/i, ''));
   const target = resolve(out ?? own + endings[as]);
   const one = as === 'page' || as === 'embed' ? null : as === 'single-file' ? files[0].bytes : zipFiles(files);
@@ -84,19 +60,6 @@ const endings: Readonly<Record<LessonForm, string>> = {
   h5p: '.h5p',
 };
 
-function makeFiles(
-  lesson: Lesson,
-  player: readonly LessonFile[],
-  { as, pass, address = '' }: Pick<LessonOptions, 'as' | 'pass' | 'address'>,
-): LessonFile[] {
-  if (as === 'page') return writePageFiles(lesson, player);
-  if (as === 'embed') return writeEmbedFiles(lesson, player, { address });
-  if (as === 'single-file') return writeSingleFile(lesson, player);
-  if (as === 'h5p') return writeH5pFiles(lesson, player);
-  if (as === 'cmi5') return writeCmi5Files(lesson, player, { pass });
-  return writeScormFiles(lesson, player, { version: as === 'scorm' ? '1.2' : '2004', pass });
-}
-
 /** A folder is written as a whole: one with other files stays. */
 async function checkFolder(path: string): Promise<void> {
   const names = await readdir(path).catch((): string[] => []);
@@ -122,9 +85,9 @@ async function readLessonFiles(path: string, words: LessonWords): Promise<{ less
     if (!found) refuse(`got no file ${name}; expected it in the folder of ${basename(path)}`);
     else if (!found.isFile())
       refuse(`${name} is a folder; expected a file (an OME-Zarr as .ozx, DICOM as a ZIP archive)`);
-    else if ((total += found.size) > maxBytes)
+    else if ((total += found.size) > maxLessonBytes)
       refuse(
-        `the files have more than ${maxBytes / 2 ** 20} MiB; expected less: a mosaic of volume-view-prepare is smaller`,
+        `the files have more than ${maxLessonBytes / 2 ** 20} MiB; expected less: a mosaic of volume-view-prepare is smaller`,
       );
     else {
       const file = { path: name, bytes: new Uint8Array(await readFile(place)) };
@@ -156,27 +119,4 @@ function describeLacking({ title, language, licence, credits }: Lesson): LessonP
     credits ||
       'got no credits for the data; expected <meta name="author" content="…"> in the head of the page, or --credits',
   ].flatMap((text, i) => ([title, language, licence, credits][i] ? [] : [{ message: text, line: null }]));
-}
-
-async function readPlayer(folder: string): Promise<LessonFile[]> {
-  const entries = await readdir(folder, { recursive: true, withFileTypes: true });
-  const paths = entries.filter((one) => one.isFile()).map((one) => join(one.parentPath, one.name));
-  return Promise.all(
-    paths.map(async (path) => ({
-      path: relative(folder, path).replaceAll('\\', '/'),
-      bytes: new Uint8Array(await readFile(path)),
-    })),
-  );
-}
-
-/** A fixed time, so that the same files always give the same bytes. ZIP knows no time zones and no earlier year. */
-const zipTime = new Date(1980, 0, 2);
-
-function zipFiles(files: readonly LessonFile[]): Uint8Array {
-  const entries: Zippable = {};
-  for (const { path, bytes } of files) {
-    const isPacked = /\.(?:gz|png|jpe?g|webp|zip|mgz|h5|ozx)$/i.test(path);
-    entries[path] = [bytes, { level: isPacked ? 0 : 6, mtime: zipTime }];
-  }
-  return zipSync(entries);
 }

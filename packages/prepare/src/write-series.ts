@@ -17,8 +17,8 @@ export interface WrittenScan {
 }
 
 /** Series of several scans, of which all are written, in the order of time: others can't be shown one after another. */
-export function findSeries(written: readonly WrittenScan[]): WrittenScan[][] {
-  const series = new Map<number, WrittenScan[]>();
+export function findSeries<S extends WrittenScan>(written: readonly S[]): S[][] {
+  const series = new Map<number, S[]>();
   for (const one of written) series.set(one.series, [...(series.get(one.series) ?? []), one]);
   return [...series.values()].filter((scans) => scans.length > 1 && isInOrder(scans.map(({ line }) => line.time)));
 }

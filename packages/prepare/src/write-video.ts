@@ -3,11 +3,13 @@ import { mkdtempSync, openSync, writeSync, closeSync, rmSync, statSync, writeFil
 import { tmpdir } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { readScanTime } from '../../../src/core/scan-time.ts';
+import type { Source } from '../../../src/prepare/find-sources.ts';
 import { comparePictures } from '../../../src/prepare/compare-pictures.ts';
 import { encodeValues, LossySum, unused, ValueRange } from '../../../src/prepare/video-codes.ts';
 import type { CodeScale, Lossy, LossyError } from '../../../src/prepare/video-codes.ts';
 import { readVideoScans } from '../../../src/prepare/video-scans.ts';
 import type { VideoScan } from '../../../src/prepare/video-scans.ts';
+import type { ByteStore } from '../../../src/sources/byte-store.ts';
 import { bytesOfFrame, checkFfmpeg, decodeVideo, encodeVideo, readFrames, worstQuality } from './ffmpeg.ts';
 import type { Codec, RawVideo } from './ffmpeg.ts';
 import { storeOfFile } from './folder-store.ts';
@@ -15,23 +17,32 @@ import { formatManifest } from './format-manifest.ts';
 import { Misuse } from './misuse.ts';
 import { nameFiles } from './name-files.ts';
 
-export interface VideoRequest {
-  /** Files of scans in the order of time, or one file of several volumes. */
-  readonly paths: readonly string[];
+export interface VideoOptions {
   readonly codec: Codec;
   /** Root mean square that may be left, in data values; 0 is lossless except the 8 bits. */
   readonly error: number;
-  readonly moment?: string;
-  /** Path of the files without their endings; named after the first file if undefined. */
-  readonly out?: string;
-  readonly deviceBytes: number;
 }
 
-/** What was written. */
-export interface WrittenVideo {
-  readonly name: string;
-  readonly frames: number;
+export interface VideoRequest extends VideoOptions {
+  /** In the order of time: each one scan, or one source of several. */
+  readonly sources: readonly { readonly store: ByteStore; readonly source: Source }[];
+  readonly moment?: string;
+  readonly deviceBytes: number;
+  /** Scans that would have to be made smaller make no video. */
+  readonly isWhole?: boolean;
+}
+
+/** The error for scans that do not make one video. */
+export class NoVideo extends Misuse {}
+
+/** What was made. */
+export interface MadeVideo {
+  /** Path of the WebM. */
+  readonly video: string;
   readonly bytes: number;
+  /** Without the name of the video. */
+  readonly manifest: object;
+  readonly scans: readonly VideoScan['report'][];
   readonly unit: string;
   readonly lossy: Lossy;
   /** The share of places that have data before or after alone. */
@@ -46,46 +57,68 @@ const comparedSize = 64;
 
 /**
  * Writes NAME.webm and NAME.json.
+ * @param paths - files of scans in the order of time, or one file of several volumes
+ * @param out - path of the files without their endings; named after the first file if undefined
  * @throws {Misuse} where there is no ffmpeg, or the scans do not make one video
  * @throws {VolumeViewError} where a file can't be read
  */
-export async function writeVideo(request: VideoRequest): Promise<WrittenVideo> {
-  const { codec, paths, out = nameFiles(paths[0]) } = request;
-  checkFfmpeg(codec);
+export async function writeVideo(
+  paths: readonly string[],
+  options: Omit<VideoRequest, 'sources'>,
+  out = nameFiles(paths[0]),
+): Promise<MadeVideo & { readonly name: string }> {
+  checkFfmpeg(options.codec);
   const work = mkdtempSync(join(tmpdir(), 'volume-view-video-'));
   try {
-    const { manifests, scale, raw, times, rounding, isUnused } = await writeRaw(request, join(work, 'raw.yuv'));
-    // What 8 bits change adds to what the codec changes, as the two have nothing to do with each other.
-    const target = Math.sqrt(Math.max(0, request.error ** 2 - rounding ** 2));
-    const rate = rateOf(times);
-    const made = await chooseQuality(target, { raw, scale, isUnused }, (quality) => {
-      const video = join(work, 'video.webm');
-      encodeVideo(raw, video, { codec, quality, rate });
-      const decoded = { ...raw, path: join(work, 'decoded.yuv') };
-      decodeVideo(video, decoded.path);
-      if (statSync(decoded.path).size !== raw.frames * bytesOfFrame(raw)) throw new Error('ffmpeg left out frames');
-      return { video, decoded };
+    const sources = paths.map((path) => {
+      const { store, url } = storeOfFile(resolve(path));
+      return { store, source: { first: url, phase: 1 } as const };
     });
-    const { lossy, changed } = await measure(request, made.decoded, scale, manifests);
+    const made = await makeVideo({ ...options, sources }, work);
     copyFileSync(made.video, `${out}.webm`);
-    writeFileSync(
-      `${out}.json`,
-      formatManifest({ video: `${basename(out)}.webm`, ...joinManifests(manifests, scale, times), lossy }),
-    );
-    const unit = typeof manifests[0].unit === 'string' ? manifests[0].unit : '';
-    const { size: bytes } = statSync(`${out}.webm`);
-    return { name: out, frames: raw.frames, bytes, unit, lossy, changed, quality: made.quality };
+    writeFileSync(`${out}.json`, formatManifest({ video: `${basename(out)}.webm`, ...made.manifest }));
+    return { ...made, name: out };
   } finally {
     rmSync(work, { recursive: true, force: true });
   }
 }
 
-/** All scans of the files, one after another. */
-async function* readScans({ paths, moment, deviceBytes }: VideoRequest): AsyncGenerator<VideoScan> {
-  for (const path of paths) {
-    const { store, url } = storeOfFile(resolve(path));
-    yield* readVideoScans(store, url, { moment, deviceBytes });
-  }
+/**
+ * Makes a video of scans.
+ * @param work - a folder for what is large, which the caller removes
+ * @throws {NoVideo} where the scans do not make one
+ * @throws {VolumeViewError} where a source can't be read, or can be no video
+ */
+export async function makeVideo(request: VideoRequest, work: string): Promise<MadeVideo> {
+  const { codec } = request;
+  const { scans, manifests, scale, raw, times, rounding, isUnused } = await writeRaw(request, join(work, 'raw.yuv'));
+  // What 8 bits change adds to what the codec changes, as the two have nothing to do with each other.
+  const target = Math.sqrt(Math.max(0, request.error ** 2 - rounding ** 2));
+  const rate = rateOf(times);
+  const made = await chooseQuality(target, { raw, scale, isUnused }, (quality) => {
+    const video = join(work, 'video.webm');
+    encodeVideo(raw, video, { codec, quality, rate });
+    const decoded = { ...raw, path: join(work, 'decoded.yuv') };
+    decodeVideo(video, decoded.path);
+    if (statSync(decoded.path).size !== raw.frames * bytesOfFrame(raw)) throw new Error('ffmpeg left out frames');
+    return { video, decoded };
+  });
+  const { lossy, changed } = await measure(request, made.decoded, scale, manifests);
+  return {
+    video: made.video,
+    bytes: statSync(made.video).size,
+    manifest: { ...joinManifests(manifests, scale, times), lossy },
+    scans,
+    unit: typeof manifests[0].unit === 'string' ? manifests[0].unit : '',
+    lossy,
+    changed,
+    quality: made.quality,
+  };
+}
+
+/** All scans of the sources, one after another. */
+async function* readScans({ sources, moment, deviceBytes }: VideoRequest): AsyncGenerator<VideoScan> {
+  for (const { store, source } of sources) yield* readVideoScans(store, source, { moment, deviceBytes });
 }
 
 /** Writes all frames as the encoder takes them. */
@@ -93,6 +126,7 @@ async function writeRaw(
   request: VideoRequest,
   path: string,
 ): Promise<{
+  readonly scans: readonly VideoScan['report'][];
   readonly manifests: readonly VideoScan['manifest'][];
   readonly times: readonly (string | null)[];
   readonly scale: CodeScale;
@@ -103,21 +137,25 @@ async function writeRaw(
   readonly isUnused: Uint8Array;
 }> {
   const range = new ValueRange();
+  const scans: VideoScan['report'][] = [];
   const manifests: VideoScan['manifest'][] = [];
   const times: (string | null)[] = [];
   let size: { readonly width: number; readonly height: number } | null = null;
-  for await (const { width, height, values, step, manifest, time } of readScans(request)) {
+  for await (const { width, height, values, step, manifest, time, report } of readScans(request)) {
     size ??= { width, height };
+    if (request.isWhole && report.from)
+      throw new NoVideo(`got ${report.from.join(' x ')} voxels, which are too many for the picture of a video`);
     if (width !== size.width || height !== size.height || manifest.mosaic !== (manifests[0] ?? manifest).mosaic)
-      throw new Misuse(
+      throw new NoVideo(
         `scan ${manifests.length + 1} makes a picture of ${width} x ${height} pixels, and those before ${size.width} x ${size.height}; expected scans of one size`,
       );
     range.add(values, step);
+    scans.push(report);
     manifests.push(manifest);
     times.push(time);
   }
   if (!size || manifests.length < 2)
-    throw new Misuse('got one scan; expected several in time: a file of several volumes, or several files');
+    throw new NoVideo('got one scan; expected several in time: a file of several volumes, or several files');
   checkOrder(times);
   const scale = range.scale(request.error > 0);
   const sum = new LossySum(scale);
@@ -136,6 +174,7 @@ async function writeRaw(
     closeSync(file);
   }
   return {
+    scans,
     manifests,
     times,
     scale,
@@ -153,7 +192,7 @@ function writeWhole(file: number, bytes: Uint8Array): void {
 function checkOrder(times: readonly (string | null)[]): void {
   const known = times.flatMap((time) => (time === null ? [] : [readScanTime(time)?.value ?? 0]));
   if (known.some((time, i) => i > 0 && time < known[i - 1]))
-    throw new Misuse('got scans that are not in the order of time; expected the files in that order');
+    throw new NoVideo('got scans that are not in the order of time; expected the files in that order');
 }
 
 /** Frames a second: those of the scans where they count seconds, else 5. It only matters for other players. */

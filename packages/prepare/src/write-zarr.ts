@@ -2,10 +2,13 @@ import { existsSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { decodeSource } from '../../../src/prepare/decode-source.ts';
-import { writeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
+import { makeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
 import { urlInStore } from '../../../src/sources/byte-store.ts';
 import { folderBase, FolderStore } from './folder-store.ts';
 import { writeFolder } from './write-folder.ts';
+
+/** Packs a chunk of an array. */
+export const packChunk = (chunk: Uint8Array): Uint8Array => gzipSync(chunk, { level: 6 });
 
 /** A folder that was written. */
 export interface WrittenZarr {
@@ -34,7 +37,7 @@ export async function* writeZarr(path: string, name: string, deviceBytes: number
       throw new Error(`${folder} is there, and is no OME-Zarr; expected another name: --out NAME`);
     let [files, bytes] = [0, 0];
     const count = function* () {
-      for (const [file, content] of writeOmeZarr(one.volume, (chunk) => gzipSync(chunk, { level: 6 }))) {
+      for (const [file, content] of makeOmeZarr(one.volume, packChunk).files) {
         files++;
         bytes += content.length;
         yield [file, content] as const;

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { gzipSync } from 'fflate';
 import type { DecodedCartesianVolume } from '../../../src/formats/base/decoded-volume.ts';
-import { residualsGroup, writeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
+import { residualsGroup, makeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
 import { invertAffine, transformPoint } from '../../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../../src/volume/matrix.ts';
@@ -15,7 +15,7 @@ const pack = (bytes: Uint8Array): Uint8Array => gzipSync(bytes, { level: 1, mtim
 
 function storeOf(volume: Volume): Map<string, Uint8Array<ArrayBuffer>> {
   return new Map(
-    [...writeOmeZarr(volume, pack)].map(([path, content]) => [
+    [...makeOmeZarr(volume, pack).files].map(([path, content]) => [
       path,
       new Uint8Array(typeof content === 'string' ? new TextEncoder().encode(content) : content),
     ]),
@@ -71,6 +71,10 @@ describe('OME-Zarr that is written', () => {
       // Numbers with a factor become floats of 32 bits.
       for (const [n, value] of before.entries())
         if (!(Math.abs(after[n] - value) <= 1e-7 * Math.abs(value))) expect([n, after[n]]).to.deep.equal([n, value]);
+      const off = before.map((value, n) => Math.abs(after[n] - value)).filter((one) => one >= 0);
+      const { error } = makeOmeZarr(patient(volume), pack);
+      expect(error.max, 'what is said of it').to.equal(Math.max(...off));
+      expect(error.rms).to.be.closeTo(Math.hypot(...off) / Math.sqrt(off.length), 1e-12 + 1e-9 * error.max);
       const metadata = JSON.parse(new TextDecoder().decode(files.get('0/zarr.json')));
       expect(metadata.data_type).to.equal(type);
     });

@@ -4,7 +4,7 @@ import { gzipSync } from 'fflate';
 import { buildPyramid } from '../../../src/bricks/pyramid.ts';
 import { measureResiduals } from '../../../src/bricks/residuals.ts';
 import type { ResidualTable } from '../../../src/bricks/residuals.ts';
-import { writeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
+import { makeOmeZarr } from '../../../src/prepare/write-ome-zarr.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import type { Volume } from '../../../src/volume/volume.ts';
 import { failureOf, noSignal, openBricksOf } from '../../helpers/brick-stores.ts';
@@ -18,7 +18,7 @@ const dimensions: Vector3 = [70, 41, 33];
 
 const storeOf = (volume: Volume): Files =>
   new Map(
-    [...writeOmeZarr(volume, (bytes) => gzipSync(bytes, { level: 1, mtime: 0 }))].map(([path, content]) => [
+    [...makeOmeZarr(volume, (bytes) => gzipSync(bytes, { level: 1, mtime: 0 })).files].map(([path, content]) => [
       path,
       new Uint8Array(typeof content === 'string' ? new TextEncoder().encode(content) : content),
     ]),
