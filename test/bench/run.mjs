@@ -31,6 +31,8 @@ const programs = [
   'folder',
   'bricks',
   'video',
+  'video-loops',
+  'prepare-peers',
 ];
 
 /** What measures nothing runs only where it is named. */

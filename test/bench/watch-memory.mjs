@@ -7,7 +7,7 @@ const interval = 20;
  * Follow the memory of a page's processes that is theirs alone: heap, array buffers, the workers' too. Shared memory and
  * the GPU's process are not in it. Linux tells it in /proc; elsewhere it is not known.
  * @param {import('@playwright/test').Browser} browser
- * @returns {Promise<{ stop: () => number | null }>} stop: returns the maximum of bytes beyond those at the start
+ * @returns {Promise<{ now: () => number | null, stop: () => number | null }>} now: bytes at the moment; stop: returns the maximum of bytes beyond those at the start
  */
 export async function watchMemory(browser) {
   const session = await browser.newBrowserCDPSession();
@@ -17,6 +17,7 @@ export async function watchMemory(browser) {
   let max = before;
   const timer = setInterval(() => (max = Math.max(max ?? 0, sumPrivateBytes(ids) ?? 0)), interval);
   return {
+    now: () => sumPrivateBytes(ids),
     stop() {
       clearInterval(timer);
       return max === null || before === null ? null : max - before;

@@ -21,6 +21,7 @@ export const pagesOfDemos = {
   measure: 'measuring',
   pointing: 'pointing',
   'over-time': 'scans-in-time',
+  video: 'scans-in-time',
   layers: 'layers',
   microscopy: 'data',
   radar: 'radar',

@@ -83,7 +83,8 @@ export async function compareForms(paths: readonly string[], moment?: string): P
   const scans: VideoScan[] = [];
   for (const path of paths) {
     const { store, url } = storeOfFile(resolve(path));
-    for await (const scan of readVideoScans(store, { first: url, phase: 1 }, { moment, deviceBytes: 2 ** 30 })) scans.push(scan);
+    for await (const scan of readVideoScans(store, { first: url, phase: 1 }, { moment, deviceBytes: 2 ** 30 }))
+      scans.push(scan);
   }
   const work = mkdtempSync(join(tmpdir(), 'volume-view-bench-video-'));
   try {
