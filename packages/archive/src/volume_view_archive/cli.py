@@ -67,7 +67,7 @@ def _run_once(client, job, ledger, plan):
     for line in describe(report):
         _say(line)
     print(json.dumps(report))
-    failed = sum(ledger.outcomes[key]["status"] == "failed" for key in units)
+    failed = sum(ledger.outcomes[key].status == "failed" for key in units)
     if failed:
         _say("what failed is in quarantine.tsv of the private folder")
     return 2 if failed else 0

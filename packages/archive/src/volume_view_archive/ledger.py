@@ -1,8 +1,22 @@
 """What is known from run to run, in a folder that must not be on a server: it has the secret, and the paths of files that failed."""
+import contextlib
 import json
 import os
 import secrets
+import sys
 import tempfile
+from typing import NamedTuple
+
+# A journal with so many lines that no longer count, and more of them than of those that do, is written again at the start of a run.
+STALE_LINES = 1000
+
+
+class Known(NamedTuple):
+    """What became of a unit. `lines` stay JSON: as dicts they would take five times the memory, and only a catalogue reads them."""
+
+    status: str
+    made: str
+    lines: bytes
 
 
 class Ledger:
@@ -19,24 +33,26 @@ class Ledger:
         # Scans that are no longer listed, and those of them whose folders are gone.
         self.removed, self.gone = set(), set()
         self._path = os.path.join(folder, "journal.jsonl")
-        self._read()
+        stale = self._read()
+        if stale > max(STALE_LINES, len(self.outcomes) + len(self.series)):
+            self._compact()
         self._file = open(self._path, "a", encoding="utf-8")
         if self._file.tell() and not self._ends_whole():
             self._file.write("\n")
 
     def is_finished(self, key):
         outcome = self.outcomes.get(key)
-        return outcome is not None and outcome["made"] == self.made
+        return outcome is not None and outcome.made == self.made
 
     def forget_failed(self):
         """What failed is tried again in this run; what comes of it is written down then."""
-        self.outcomes = {key: one for key, one in self.outcomes.items() if one["status"] != "failed"}
+        self.outcomes = {key: one for key, one in self.outcomes.items() if one.status != "failed"}
 
     def keep(self, outcomes):
         """Writes what became of units. outcomes: of `run_batch`."""
         for one in outcomes:
-            self.outcomes[one.key] = {**vars(one), "made": self.made}
-            self._file.write(json.dumps({"unit": self.outcomes[one.key]}) + "\n")
+            self._take({**vars(one), "made": self.made})
+            self._file.write(json.dumps({"unit": {**vars(one), "made": self.made}}) + "\n")
         self._flush()
 
     def keep_series(self, known):
@@ -63,7 +79,7 @@ class Ledger:
         lines = {}
         for key, outcome in self.outcomes.items():
             if keys is None or key in keys:
-                for line in outcome["lines"]:
+                for line in json.loads(outcome.lines):
                     if line["status"] == "done" and line["id"] not in self.removed:
                         lines[line["id"]] = line
         return list(lines.values())
@@ -73,8 +89,8 @@ class Ledger:
         rows = []
         for key, unit in units.items():
             outcome = self.outcomes.get(key)
-            if outcome and outcome["status"] == "failed":
-                codes = sorted({line["code"] for line in outcome["lines"] if line["status"] == "failed"})
+            if outcome and outcome.status == "failed":
+                codes = sorted({line["code"] for line in json.loads(outcome.lines) if line["status"] == "failed"})
                 rows.append("\t".join([",".join(codes), unit.files[0], str(len(unit.files))]))
         write_whole(os.path.join(self.folder, "quarantine.tsv"), "".join(f"{row}\n" for row in rows))
 
@@ -91,22 +107,40 @@ class Ledger:
             file.seek(-1, os.SEEK_END)
             return file.read() == b"\n"
 
+    def _take(self, unit):
+        # Of a million units most have the same few words.
+        status, made = sys.intern(unit["status"]), sys.intern(unit["made"])
+        self.outcomes[unit["key"]] = Known(status, made, json.dumps(unit["lines"], separators=(",", ":")).encode())
+
+    def _compact(self):
+        """Writes the journal with what counts alone, as a whole."""
+        with whole_file(self._path) as file:
+            for key, (status, made, lines) in self.outcomes.items():
+                file.write(json.dumps({"unit": {"key": key, "status": status, "made": made, "lines": json.loads(lines)}}) + "\n")
+            for (path, stamp), number in self.series.items():
+                file.write(json.dumps({"file": path, "stamp": stamp, "series": number}) + "\n")
+            file.write(json.dumps({"removed": sorted(self.removed), "gone": sorted(self.gone)}) + "\n")
+
     def _read(self):
+        """Returns how many lines no longer count: others for the same unit or file came later."""
+        count = 0
         if not os.path.exists(self._path):
-            return
+            return count
         with open(self._path, encoding="utf-8", errors="replace") as file:
             for text in file:
+                count += 1
                 try:
                     line = json.loads(text)
                 except ValueError:
                     continue  # The end of a run that was killed.
                 if "unit" in line:
-                    self.outcomes[line["unit"]["key"]] = line["unit"]
+                    self._take(line["unit"])
                 elif "file" in line:
                     self.series[(line["file"], line["stamp"])] = line["series"]
                 else:
                     self.removed.update(line.get("removed", ()))
                     self.gone.update(line.get("gone", ()))
+        return count - len(self.outcomes) - len(self.series)
 
     def _read_secret(self):
         path = os.path.join(self.folder, "secret")
@@ -138,11 +172,22 @@ def _is_alive(process):
     return True
 
 
-def write_whole(path, text, mode=0o644):
+@contextlib.contextmanager
+def whole_file(path, mode=0o644):
+    """A text file that has its name when all of it is on the disk; nothing is left where an error ends it."""
     handle, beside = tempfile.mkstemp(dir=os.path.dirname(path))
-    with os.fdopen(handle, "w", encoding="utf-8") as file:
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(beside, mode)
+        os.replace(beside, path)
+    except BaseException:
+        os.unlink(beside)
+        raise
+
+
+def write_whole(path, text, mode=0o644):
+    with whole_file(path, mode) as file:
         file.write(text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.chmod(beside, mode)
-    os.replace(beside, path)
