@@ -9,7 +9,7 @@ export interface ValueTable {
   /** The stored number of the first value. Smaller numbers have the first value, and those behind the table its last one. */
   readonly first: number;
   readonly values: Uint16Array;
-  /** The largest value that fits into the bits of the table. */
+  /** The largest of the values: a table of 16 bits may have those of 10 bits. */
   readonly largest: number;
   /** What the values are: 'HU', 'OD' (thousandths of an optical density), or 'US' for no unit. */
   readonly type: string;
@@ -38,10 +38,11 @@ export function readValueTable({ set, isSigned, what }: Picture): ValueTable | n
     bytes.length >= 2 * entries
       ? (i: number) => view.getUint16(2 * i, little)
       : (i: number) => bytes[little ? i : i ^ 1];
+  const values = Uint16Array.from({ length: entries }, (_, i) => read(i));
   return {
     first: isSigned && start >= 2 ** 15 ? start - 2 ** 16 : start,
-    values: Uint16Array.from({ length: entries }, (_, i) => read(i)),
-    largest: 2 ** bits - 1,
+    values,
+    largest: values.reduce((largest, value) => Math.max(largest, value), 0),
     type: table.text(tags.modalityTableType).toUpperCase(),
   };
 }
