@@ -56,8 +56,8 @@ export class SourceAttributes extends LookAttributes {
   @property({ attribute: 'max-bytes', kind: number }) maxBytes!: number | null;
 
   /**
-   * Bytes of the GPU's memory that the bricks of a large OME-Zarr may take, `512e6` for 512 MB; by default 256 MiB, and half of that on devices with little memory. All
-   * elements of a page share what the largest of these numbers says.
+   * Shows an OME-Zarr that is larger than so many bytes in bricks of finer levels, which take at most these bytes of the GPU's memory: `256e6` for 256 MB. All
+   * elements of a page share what the largest of these numbers says. Without it one level is shown.
    */
   @property({ attribute: 'max-gpu-bytes', kind: number }) maxGpuBytes!: number | null;
 

@@ -1,6 +1,6 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
-import { chooseKeptBytes, shareOfBrick, usualGpuBytes } from '../base/brick-limits.ts';
+import { chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
 import { chooseBrickLevels } from './brick-levels.ts';
 import { chooseBrickNumbers } from './brick-numbers.ts';
@@ -11,7 +11,7 @@ import type { ArrayBox } from './list-chunks.ts';
 import type { OmeImage } from './open-image.ts';
 
 /** Bytes of the level that is always there: it is read as a whole before the first brick, and panes show it. */
-const pinnedBytes = 2 ** 23;
+const pinnedBytes = 2 ** 25;
 
 /** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
 const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
@@ -28,7 +28,7 @@ export interface PinnedLevel {
 }
 
 /**
- * What is read of a pyramid in bricks: a page that wants bricks, and whose GPU may not hold the finest level.
+ * What is read of a pyramid in bricks: a page whose author says what they may take on the GPU, and whose finest level takes more.
  * @param boxes - all levels as wholes, the finest first @param arrayBox - what is read of a level's array
  * @returns null for what is read as a whole, or can't be read in bricks
  */
@@ -38,18 +38,9 @@ export function choosePinned(
   arrayBox: (box: LevelBox) => ArrayBox,
   { limits, settings }: { readonly limits: DeviceLimits; readonly settings: DecodeSettings },
 ): PinnedLevel | null {
-  const {
-    maxGpuBytes = usualGpuBytes(),
-    finer,
-    region,
-    maxBytes,
-    spacing,
-    indexToWorld,
-    clean,
-    labelDetail,
-  } = settings;
+  const { maxGpuBytes, finer, region, maxBytes, spacing, indexToWorld, clean, labelDetail } = settings;
   const isPlain = [region, maxBytes, spacing, indexToWorld, clean, labelDetail].every((one) => one === undefined);
-  if (!finer || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
+  if (!finer || maxGpuBytes === undefined || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
   const { array } = boxes[0].level;
   const numbers = chooseBrickNumbers(array.type, array.littleEndian, { slope: 1, intercept: 0 });
   const bytesOf = (box: LevelBox): number => countVoxels(box) * Math.min(4, array.type.bytesPerSample);

@@ -50,6 +50,7 @@ describe('a pyramid of which the GPU may not hold the finest level', () => {
   for (const [name, settings, more] of [
     ['it fits', { maxGpuBytes: 70_000 }, {}],
     ['nobody asks for bricks', { finer: false }, {}],
+    ['its author does not say what bricks may take', { maxGpuBytes: undefined }, {}],
     ['its author chooses a region', { region: [-1, -1, -1, 1, 1, 1] }, {}],
     ['its author says how large the level may be', { maxBytes: 50_000 }, {}],
     ['its author places its voxels', { spacing: [1, 1, 1] }, {}],
