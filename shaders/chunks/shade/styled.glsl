@@ -23,7 +23,8 @@ vec4 styledShade(Segment segment, vec4 seen) {
   if (!hasData(front)) front = back;
   if (!hasData(back)) back = front;
 #endif
-  bool shows = segment.visible > MIN_LIT && segment.visible * seen.a > MIN_LIT * segment.span;
+  // Rounding may make the span of a segment between two planes of voxels negative: it shows nothing.
+  bool shows = seen.a > 0.0 && segment.visible > MIN_LIT && segment.visible * seen.a > MIN_LIT * segment.span;
   Styled near = styledLast;
   Styled far = styledLast;
   float first = !shows ? 2.0 : front.point == styledPoint ? 1.0 : 0.0;
