@@ -11,7 +11,10 @@ import type { TransferFunction } from '../transfer/transfer-function.ts';
 
 /** How a volume appears, as far as it matters for what samples could miss. */
 export interface SeenVolume {
-  readonly volume: Pick<VolumeData, 'grid' | 'macrocells' | 'slope' | 'intercept' | 'channels'>;
+  readonly volume: Pick<
+    VolumeData,
+    'grid' | 'macrocells' | 'slope' | 'intercept' | 'range' | 'hasNoData' | 'channels' | 'finer'
+  >;
   /** One byte per macrocell: 1 where something is visible. */
   readonly cells: Uint8Array;
   /** Already brightened. */

@@ -378,7 +378,7 @@ export class VolumeLayer {
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
     const optics = this.#optics!;
-    const { substeps } = this.plan;
+    const { substeps, change } = this.plan;
     const detail = this.detail() ?? this.#seen.lastDetail; // To use a detail that is already known does no harm.
     const frame: RayFrame = {
       volume: this.#opened,
@@ -394,7 +394,11 @@ export class VolumeLayer {
       voxelsPerStep: substeps.voxelsPerStep,
       contributions: this.#contributions(modules),
     };
-    return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));
+    const all = joinInputs(
+      { uniforms: valueUniforms(frame), units: [] },
+      ...modules.map((module) => module.inputs(frame)),
+    );
+    return change ? change(all) : all;
   }
 
   dispose(): void {

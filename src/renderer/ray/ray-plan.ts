@@ -1,10 +1,13 @@
 import { allSubsteps } from '../../optics/cells/substeps.ts';
 import type { Substeps } from '../../optics/cells/substeps.ts';
 import type { GridFrame } from '../../volume/grid.ts';
+import type { ProgramInputs } from '../device/inputs.ts';
 import type { RayCut } from './ray-module.ts';
 
 /** How the rays of a picture are cast, and what cuts them. It is never changed: another picture has another plan. */
 export interface RayPlan {
+  /** Changes the inputs of the ray's program, for pictures that only measure something. */
+  readonly change?: (inputs: ProgramInputs) => ProgramInputs;
   /** World length of a step. */
   readonly stepLength: number;
   /** How steps are cut. */

@@ -135,6 +135,11 @@ export class ErrorProbe {
     readonly view: ProbedView,
   ) {}
 
+  /** The pixels that are probed: all of a small rectangle, or some; null before the first probe. */
+  get lattices(): readonly PixelLattice[] | null {
+    return this.#lattices;
+  }
+
   get grid(): GridFrame {
     return this.view.grid;
   }

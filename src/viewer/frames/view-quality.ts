@@ -140,9 +140,17 @@ export class ViewQuality {
       ? 0
       : projection
         ? boundProjected(seen, projection, samplesAVoxel)
-        : await this.#bound(seen, samplesAVoxel, codes);
+        : ((await this.#boundAtJumps(seen, level, estimate)) ?? (await this.#bound(seen, samplesAVoxel, codes)));
     if (bound === null) return null;
     return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
+  }
+
+  /** The bound where rays search for what is opaque at once; null if there is nothing of that kind, or it is not known. */
+  async #boundAtJumps(seen: SeenVolume, level: Level, estimate: ErrorEstimate | null): Promise<number | null> {
+    if (!seen.found || !estimate) return null;
+    const part = await loadPart(import('./jump-quality.ts'), 'bounds errors at what is opaque');
+    const { view, cuts } = this;
+    return part.boundAtJumps({ view, cuts, seen, probe: this.#probe }, level, estimate, measuringTools);
   }
 
   async #bound(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Promise<number | null> {
