@@ -4,6 +4,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal, finestSpacing } from '../../src/volume/grid.ts';
+import { styleOf } from '../../src/viewer/model/volume-info.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
@@ -11,7 +12,8 @@ import type { Volume } from '../../src/volume/volume.ts';
 export interface FullRays {
   readonly volume: Volume;
   readonly camera: Camera;
-  readonly optics: Pick<VolumeOptics, 'transferFunction' | 'referenceLength'>;
+  /** Without light, styles and factors. */
+  readonly optics: VolumeOptics;
   /** Pixels along each side. */
   readonly size: number;
   readonly stepsPerVoxel: number;
@@ -30,7 +32,11 @@ export function castFullRays(
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
   if (!rays) throw new Error('the volume is flat');
   const steps = Math.ceil((stepsPerVoxel * longestDiagonal(volume.grid)) / finestSpacing(volume.grid));
-  const { transferFunction, referenceLength } = optics;
+  const { transferFunction, referenceLength, opacityFactor, lightFactor } = optics;
+  if (styleOf(optics) || opacityFactor !== 1 || lightFactor !== 1)
+    throw new Error(
+      'full rays have no light, no style and no factors: the picture that they are compared with needs shading="unlit", for instance',
+    );
   return gl.draw(
     { volume, rays, transferFunction, referenceLength, method: 'shipped', steps, maxSubsteps: substeps },
     size,
