@@ -121,8 +121,8 @@ export interface Comparison {
 export class ErrorProbe {
   readonly #pictures = new Map<string, Float32Array | null>();
   #rectangle: PixelRectangle | null | undefined;
-  /** The pixels to probe. The first probes decide how many there are. */
-  #lattices: readonly PixelLattice[] | null = null;
+  /** The pixels to probe: all of a small rectangle, or some. The first probes decide how many there are; null before them. */
+  lattices: readonly PixelLattice[] | null = null;
   /** Whether all pixels have been searched, where this is worth the time. */
   #isSearched = false;
   /** Whether the probes are a sample of many pixels, of which a few may have a large error. */
@@ -134,11 +134,6 @@ export class ErrorProbe {
     readonly scene: Scene,
     readonly view: ProbedView,
   ) {}
-
-  /** The pixels that are probed: all of a small rectangle, or some; null before the first probe. */
-  get lattices(): readonly PixelLattice[] | null {
-    return this.#lattices;
-  }
 
   get grid(): GridFrame {
     return this.view.grid;
@@ -197,7 +192,7 @@ export class ErrorProbe {
   /** If so few probes show something that they may have missed other objects, look at all pixels, and probe those that show something. */
   *#search(first: Float32Array | null, steps: number, substeps: Substeps): Waiting<void> {
     const { rectangle } = this;
-    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return;
+    if (!rectangle || !first || !isWorthSearch(this.lattices!, countShown(first))) return;
     const { left, bottom, width, height } = rectangle;
     const shown: [number, number][] = [];
     const rows = Math.max(1, Math.floor(searchedAtOnce / width));
@@ -210,10 +205,10 @@ export class ErrorProbe {
       });
     }
     if (shown.length === 0) return;
-    this.#lattices = placeAround(shown);
-    this.#isRare &&= this.#lattices.some(({ stride }) => stride > 1);
+    this.lattices = placeAround(shown);
+    this.#isRare &&= this.lattices.some(({ stride }) => stride > 1);
     this.#pictures.clear();
-    this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
+    this.#share = Math.min(1, this.lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
   }
 
   /** A level's own picture, and those with half and a quarter of its step length: the number of steps, and how they are cut. */
@@ -258,15 +253,15 @@ export class ErrorProbe {
   }
 
   *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
-    if (this.#lattices) return yield* this.#drawAt(this.#lattices, steps, substeps);
+    if (this.lattices) return yield* this.#drawAt(this.lattices, steps, substeps);
     const opaque = isOpaque(this.scene);
     const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, opaque, times) : []);
     const lattices = place(1);
     const picture = yield* this.#drawAt(lattices, steps, substeps);
     const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, opaque) : 1;
-    this.#lattices = times > 1 ? place(times) : lattices;
-    this.#isRare = opaque && this.#lattices.some(({ stride }) => stride > 1);
-    return times > 1 ? yield* this.#drawAt(this.#lattices, steps, substeps) : picture;
+    this.lattices = times > 1 ? place(times) : lattices;
+    this.#isRare = opaque && this.lattices.some(({ stride }) => stride > 1);
+    return times > 1 ? yield* this.#drawAt(this.lattices, steps, substeps) : picture;
   }
 
   *#drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array | null> {

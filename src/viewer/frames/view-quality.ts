@@ -148,7 +148,7 @@ export class ViewQuality {
   /** The bound where rays search for what is opaque at once; null if there is nothing of that kind, or it is not known. */
   async #boundAtJumps(seen: SeenVolume, level: Level, estimate: ErrorEstimate | null): Promise<number | null> {
     if (!seen.found || !estimate) return null;
-    const part = await loadPart(import('./jump-quality.ts'), 'bounds errors at what is opaque');
+    const part = await loadPart(import('./jump-quality.ts'), 'bounds errors');
     const { view, cuts } = this;
     return part.boundAtJumps({ view, cuts, seen, probe: this.#probe }, level, estimate, measuringTools);
   }
