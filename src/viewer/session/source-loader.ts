@@ -286,7 +286,7 @@ export class SourceLoader {
 
   async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
     const { source, local } = this.host.settings;
-    const reader = source && (await loadPart(import('../loading/read-source.ts'), 'reads attributes of the source'));
+    const reader = source && (await loadPart(import('../loading/read-source.ts'), 'reads attributes'));
     options.signal.throwIfAborted();
     const limits = this.#askLimits();
     limits.catch(() => {}); // The load that waits for it reports the error, if there is such a load.
