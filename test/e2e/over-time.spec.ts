@@ -73,7 +73,7 @@ test('has the values of a voxel at all times, as nibabel has them, without anoth
   const asked = await openBrain(page);
   await expect(curve(page)).toHaveText(/Click a place in the picture/);
   await clickVoxel(page, [9, 12, 2]);
-  expect(await tableOf(page)).toEqual(course.map((value, t) => [`${2 * t} s`, String(value)]));
+  await expect.poll(() => tableOf(page)).toEqual(course.map((value, t) => [`${2 * t} s`, String(value)]));
   await expect(shownValue(page)).toHaveText('0 s: 3545.36');
   await expect(curve(page).locator('p.hint')).toHaveText('From 3477.57 (32 s) to 3710.28 (4 s).');
   expect(await findFaults(page)).toEqual([]);
