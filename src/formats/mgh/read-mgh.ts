@@ -1,23 +1,21 @@
 import { cartesianGrid } from '../../volume/grid.ts';
 import { invertAffine } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
-import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader } from '../base/format.ts';
-import { listLeft } from '../base/list-left.ts';
 import { numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
-import { placeVolume } from '../base/place-volume.ts';
-import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
-import { areScans, openVolumes } from '../series/open-volumes.ts';
+import { readVolumes } from '../series/read-volumes.ts';
+import type { VolumesBehindHeader } from '../series/read-volumes.ts';
 import { shortest, timeAt } from '../series/scan-times.ts';
 import type { TimeSteps } from '../series/scan-times.ts';
 
 /** Bytes of the header; the samples follow it. */
 const mghHeaderBytes = 284;
+
+/** Of the time between two frames, which follows the samples. */
+const stepBytes = 4;
 
 const what = 'the MGH header';
 
@@ -40,99 +38,23 @@ const refused = new Map([
   [9, 'colours (RGB)'],
 ]);
 
-interface MghHeader {
-  readonly dimensions: Vector3;
-  readonly frames: number;
-  readonly type: NumberType;
-  readonly indexToWorld: Matrix4;
-  /** Whether the header says where the patient is (its good_ras_flag). */
-  readonly anatomical: boolean;
-}
-
 /**
  * Reads an MGH file, packed with gzip (MGZ) or not; several frames are scans in time. Of what follows the samples only the time between
  * two frames is used.
  * Sources: FreeSurfer wiki, FsTutorial/MghFormat; nibabel 5.4, `freesurfer/mghformat.py`
  */
-export const readMgh: FormatReader = async ({ bytes }, settings, context) => {
-  const { onProgress, budget } = context;
-  onProgress(0, bytes.length);
-  const isPacked = isGzip(bytes);
-  const atMost = isPacked ? bytes.length * maxDeflateRatio : bytes.length;
-  const reader = new PieceReader(isPacked ? gunzip(bytes) : yieldOnce(bytes));
-  try {
-    const { dimensions, frames, type, indexToWorld, anatomical } = readHeader(await reader.readStart(mghHeaderBytes));
-    if (areScans(frames, type, settings, context)) {
-      const voxels = countSampleBytes(what, dimensions, type);
-      return await openVolumes(
-        {
-          what: 'the MGH file',
-          pieces: isPacked ? gunzip(bytes) : yieldOnce(bytes),
-          atMost,
-          offset: mghHeaderBytes,
-          bytes: voxels,
-          count: frames,
-          tail: 4,
-        },
-        async (file) => {
-          const steps = await readSteps(file, mghHeaderBytes + frames * voxels);
-          return {
-            info: { grid: cartesianGrid(dimensions, indexToWorld), anatomical, unit: '', format: 'MGH' },
-            type,
-            littleEndian: false,
-            timeOf: (index) => timeAt(index, steps),
-          };
-        },
-        settings,
-        context,
-      );
-    }
-    const stored = storeSamples(
-      await readSpan(
-        reader,
-        { atMost, onProgress, budget },
-        {
-          what: 'MGH',
-          offset: mghHeaderBytes,
-          bytes: countSampleBytes(what, dimensions, type),
-          isPart: frames > 1,
-        },
-      ),
-      type,
-      false,
-      { slope: 1, intercept: 0, budget, chooseWhole: await wholeNumbersOf(type) },
-    );
-    const { samples, scale, offset, indexed, rounded, unkept } = stored;
-    return placeVolume(
-      {
-        grid: cartesianGrid(dimensions, indexToWorld),
-        anatomical,
-        samples,
-        slope: scale,
-        intercept: offset,
-        indexed,
-        rounded,
-        unkept,
-        unit: '',
-        format: `MGH${frames > 1 ? `, volume 1 of ${frames}` : ''}`,
-        ...listLeft(frames),
-      },
-      settings,
-    );
-  } finally {
-    await reader.stop();
-  }
-};
+export const readMgh: FormatReader = ({ bytes }, settings, context) =>
+  readVolumes(bytes, { name: 'MGH', headerBytes: mghHeaderBytes }, readHeader, settings, context);
 
 /** The time between two frames (TR) follows the samples, in milliseconds; null where it is absent or 0. Source: nibabel, `mghformat.py` */
 async function readSteps(file: Blob, at: number): Promise<TimeSteps | null> {
-  const bytes = await file.slice(at, at + 4).arrayBuffer();
-  const step = bytes.byteLength < 4 ? 0 : shortest(new DataView(bytes).getFloat32(0)) / 1e3;
+  const bytes = await file.slice(at, at + stepBytes).arrayBuffer();
+  const step = bytes.byteLength < stepBytes ? 0 : shortest(new DataView(bytes).getFloat32(0)) / 1e3;
   return step > 0 && Number.isFinite(step) ? { first: 0, step, unit: 's' } : null;
 }
 
 /** All numbers are big-endian, on every machine. */
-function readHeader(bytes: Uint8Array): MghHeader {
+function readHeader(bytes: Uint8Array): VolumesBehindHeader {
   if (bytes.length < mghHeaderBytes)
     throw corruptFile(what, `got ${bytes.length} bytes; expected ${mghHeaderBytes}: the file is cut short`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -142,11 +64,20 @@ function readHeader(bytes: Uint8Array): MghHeader {
   checkLengths(what, 'frames', [frames]);
   const anatomical = view.getInt16(28) > 0;
   return {
-    dimensions,
-    frames,
-    type: readType(code),
-    indexToWorld: readAffine((at) => view.getFloat32(at), dimensions, anatomical),
+    grid: cartesianGrid(
+      dimensions,
+      readAffine((at) => view.getFloat32(at), dimensions, anatomical),
+    ),
     anatomical,
+    type: readType(code),
+    littleEndian: false,
+    count: frames,
+    offset: mghHeaderBytes,
+    tail: stepBytes,
+    readTimes: async (file, end) => {
+      const steps = await readSteps(file, end);
+      return (index) => timeAt(index, steps);
+    },
   };
 }
 

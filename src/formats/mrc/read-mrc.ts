@@ -2,19 +2,14 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { invertAffine } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { checkLengths } from '../base/check-lengths.ts';
-import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader } from '../base/format.ts';
 import { millimetresOf } from '../base/length-units.ts';
-import { listLeft } from '../base/list-left.ts';
 import { floats, numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { PieceReader, readSpan, yieldOnce } from '../base/piece-reader.ts';
-import { placeVolume } from '../base/place-volume.ts';
-import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { gunzip, isGzip, maxDeflateRatio } from '../codecs/gunzip.ts';
 import { readHalfFloats } from '../npy/half-floats.ts';
-import { areScans, openVolumes } from '../series/open-volumes.ts';
+import { readVolumes } from '../series/read-volumes.ts';
+import type { VolumesBehindHeader } from '../series/read-volumes.ts';
 
 /** Bytes of the header. An extended header, whose length it says, and the samples follow it. */
 const mrcHeaderBytes = 1024;
@@ -38,81 +33,15 @@ const refused = new Map([
   [101, 'numbers of 4 bits'],
 ]);
 
-interface MrcHeader {
-  readonly dimensions: Vector3;
-  readonly volumes: number;
-  readonly type: NumberType;
-  readonly littleEndian: boolean;
-  readonly indexToWorld: Matrix4;
-  /** Where the samples begin. */
-  readonly offset: number;
-}
-
 /**
  * Reads a map of electron microscopy or crystallography, packed with gzip or not; the volumes of a stack are scans.
  * The axes are x, y and z of the map, whatever their order in the file, and lengths are mm.
  * Sources: Cheng and others 2015, MRC2014: extensions to the MRC format header; IMOD, "The MRC file format used by IMOD"
  */
-export const readMrc: FormatReader = async ({ bytes }, settings, context) => {
-  const { onProgress, budget } = context;
-  onProgress(0, bytes.length);
-  const isPacked = isGzip(bytes);
-  const atMost = isPacked ? bytes.length * maxDeflateRatio : bytes.length;
-  const reader = new PieceReader(isPacked ? gunzip(bytes) : yieldOnce(bytes));
-  try {
-    const header = readHeader(await reader.readStart(mrcHeaderBytes));
-    const { dimensions, volumes, type, littleEndian, indexToWorld, offset } = header;
-    const grid = cartesianGrid(dimensions, indexToWorld);
-    const size = countSampleBytes(what, dimensions, type);
-    if (areScans(volumes, type, settings, context)) {
-      const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
-      return await openVolumes(
-        { what: 'the MRC file', pieces, atMost, offset, bytes: size, count: volumes },
-        () => ({ info: { grid, unit: '', format: 'MRC' }, type, littleEndian }),
-        settings,
-        context,
-      );
-    }
-    const span = await readSpan(
-      reader,
-      { atMost, onProgress, budget },
-      { what: 'MRC', offset, bytes: size, isPart: volumes > 1 },
-    );
-    if (type.name === 'float16') budget.take(2 * size, 'the MRC file');
-    const {
-      samples,
-      scale,
-      offset: intercept,
-      indexed,
-      rounded,
-      unkept,
-    } = storeSamples(span, type, littleEndian, {
-      slope: 1,
-      intercept: 0,
-      budget,
-      chooseWhole: await wholeNumbersOf(type),
-    });
-    return placeVolume(
-      {
-        grid,
-        samples,
-        slope: scale,
-        intercept,
-        indexed,
-        rounded,
-        unkept,
-        unit: '',
-        format: `MRC${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
-        ...listLeft(volumes),
-      },
-      settings,
-    );
-  } finally {
-    await reader.stop();
-  }
-};
+export const readMrc: FormatReader = ({ bytes }, settings, context) =>
+  readVolumes(bytes, { name: 'MRC', headerBytes: mrcHeaderBytes }, readHeader, settings, context);
 
-function readHeader(bytes: Uint8Array): MrcHeader {
+function readHeader(bytes: Uint8Array): VolumesBehindHeader {
   if (bytes.length < mrcHeaderBytes)
     throw corruptFile(what, `got ${bytes.length} bytes; expected ${mrcHeaderBytes}: the file is cut short`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -125,11 +54,13 @@ function readHeader(bytes: Uint8Array): MrcHeader {
   const volumes = countVolumes(sections, int(10), int(23));
   const dimensions: Vector3 = [columns, rows, sections / volumes];
   return {
-    dimensions,
-    volumes,
+    grid: cartesianGrid(
+      dimensions,
+      readAffine(int, (word) => view.getFloat32(4 * word - 4, littleEndian)),
+    ),
     type: readType(mode, isUnsigned(int)),
     littleEndian,
-    indexToWorld: readAffine(int, (word) => view.getFloat32(4 * word - 4, littleEndian)),
+    count: volumes,
     offset: mrcHeaderBytes + extended,
   };
 }
