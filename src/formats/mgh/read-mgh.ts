@@ -43,8 +43,8 @@ const refused = new Map([
  * two frames is used.
  * Sources: FreeSurfer wiki, FsTutorial/MghFormat; nibabel 5.4, `freesurfer/mghformat.py`
  */
-export const readMgh: FormatReader = ({ bytes }, settings, context) =>
-  readVolumes(bytes, { name: 'MGH', headerBytes: mghHeaderBytes }, readHeader, settings, context);
+export const readMgh: FormatReader = (input, settings, context) =>
+  readVolumes({ name: 'MGH', headerBytes: mghHeaderBytes, readHeader }, input, settings, context);
 
 /** The time between two frames (TR) follows the samples, in milliseconds; null where it is absent or 0. Source: nibabel, `mghformat.py` */
 async function readSteps(file: Blob, at: number): Promise<TimeSteps | null> {

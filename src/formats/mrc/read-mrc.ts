@@ -38,8 +38,8 @@ const refused = new Map([
  * The axes are x, y and z of the map, whatever their order in the file, and lengths are mm.
  * Sources: Cheng and others 2015, MRC2014: extensions to the MRC format header; IMOD, "The MRC file format used by IMOD"
  */
-export const readMrc: FormatReader = ({ bytes }, settings, context) =>
-  readVolumes(bytes, { name: 'MRC', headerBytes: mrcHeaderBytes }, readHeader, settings, context);
+export const readMrc: FormatReader = (input, settings, context) =>
+  readVolumes({ name: 'MRC', headerBytes: mrcHeaderBytes, readHeader }, input, settings, context);
 
 function readHeader(bytes: Uint8Array): VolumesBehindHeader {
   if (bytes.length < mrcHeaderBytes)

@@ -1,6 +1,6 @@
 import type { CartesianGrid } from '../../volume/grid.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
-import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-volume.ts';
+import type { DecodedCartesianVolume, DecodeInput, DecodeSettings } from '../base/decoded-volume.ts';
 import type { ReadContext } from '../base/format.ts';
 import { listLeft } from '../base/list-left.ts';
 import type { NumberType } from '../base/number-types.ts';
@@ -27,16 +27,19 @@ export interface VolumesBehindHeader {
   readonly readTimes?: (file: Blob, end: number) => Promise<VolumesOfFile['timeOf']>;
 }
 
-/**
- * Reads a file that has a header of one length, and volumes behind it, packed with gzip or not: as scans where the page asks for them, else
- * the first of them.
- * @param name - of the format @param headerBytes - read before `readHeader` is called, or fewer where the file is cut short
- * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, and what `readHeader` throws
- */
+/** A format whose files have a header of one length, and volumes behind it. */
+export interface HeaderFormat {
+  readonly name: string;
+  /** So many are read before `readHeader` is called, or fewer where the file is cut short. */
+  readonly headerBytes: number;
+  /** @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large` */
+  readHeader(header: Uint8Array): VolumesBehindHeader;
+}
+
+/** Reads such a file, packed with gzip or not: its volumes as scans where the page asks for them, else the first of them. */
 export async function readVolumes(
-  bytes: Uint8Array<ArrayBuffer>,
-  { name, headerBytes }: { readonly name: string; readonly headerBytes: number },
-  readHeader: (header: Uint8Array) => VolumesBehindHeader,
+  { name, headerBytes, readHeader }: HeaderFormat,
+  { bytes }: DecodeInput,
   settings: DecodeSettings,
   context: ReadContext,
 ): Promise<DecodedCartesianVolume> {
