@@ -160,6 +160,6 @@ function loadInWorker(
 }
 
 async function loadHere(request: LoadRequest, options: LoadOptions): Promise<Volume> {
-  const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
+  const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files');
   return decodeHere(request, { ...options, pageOrigin: origin });
 }

@@ -71,7 +71,7 @@ export class CutReader {
   /** @param all - load the code for the map too; the first picture does not wait for it */
   async prepare(volume: Pick<Volume, 'grid' | 'radar'>, all = false): Promise<void> {
     if (this.isReady(volume)) return;
-    const reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
+    const reader = await loadPart(import('./read-cuts.ts'), 'reads cuts');
     await reader.prepare(this.host);
     if (all) await reader.prepareMap(volume);
     this.#reader = reader;
