@@ -191,8 +191,12 @@ test('the text below stays where it is when the script comes', async ({ page }) 
     }),
   );
   await page.goto('/early.html', { waitUntil: 'commit' });
+  // All of the page has to be there, with the style of the package: boxes also move while a page is read, without any script.
   await page.waitForFunction(
-    () => document.querySelectorAll('volume-view').length > 20 && document.styleSheets.length > 2,
+    () =>
+      document.readyState !== 'loading' &&
+      document.querySelectorAll('volume-view').length > 20 &&
+      [...document.styleSheets].some(({ href }) => href?.endsWith('/dist/volume-view.css')),
   );
   const before = await boxes(page);
   expect(await page.evaluate(() => customElements.get('volume-view') === undefined)).toBe(true);

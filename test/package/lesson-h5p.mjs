@@ -10,7 +10,7 @@ import { unzipSync } from 'fflate';
 import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from './checks.mjs';
-import { difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
+import { atRest, difference, openLessonPage, pictureOf, serveFiles } from './lesson-pages.mjs';
 
 const program = join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js');
 const work = mkdtempSync(join(tmpdir(), 'volume-view-h5p-'));
@@ -198,7 +198,7 @@ await check(
     await page.goto(`${origin}/host/`);
     await content.getByRole('heading', { name: 'Second' }).waitFor();
     await content.locator('#tissue').getByText('Right.').first().waitFor();
-    await content.locator('volume-view').evaluate((view) => /** @type {any} */ (view).whenRendered());
+    await atRest(content);
     await content.getByRole('button', { name: 'Next' }).click();
     await content.getByRole('textbox').fill('7');
     await content.getByRole('button', { name: 'Answer' }).click();
@@ -233,7 +233,7 @@ await check(
         .evaluate((frame, method) => /** @type {any} */ (frame).contentWindow.H5P.instances[0][method](), name);
     await call('resetTask');
     await content.getByRole('heading', { name: 'First' }).waitFor();
-    await content.locator('volume-view').evaluate((view) => /** @type {any} */ (view).whenRendered());
+    await atRest(content);
     await content.getByRole('button', { name: 'Next' }).click();
     assert.equal(await content.getByText('Right.').count(), 0, 'no answer is left');
     assert.deepEqual(await Promise.all(['getScore', 'getAnswerGiven'].map(call)), [0, false]);

@@ -31,15 +31,27 @@ export async function openLessonPage(browser, allowed) {
 }
 
 /**
+ * Waits until a view is drawn, also one whose script has still to come.
+ * @param {import('@playwright/test').Page | import('@playwright/test').FrameLocator} place
+ * @param {string} [selector]
+ */
+export async function atRest(place, selector = 'volume-view') {
+  await place.locator(selector).evaluate(async (element) => {
+    await customElements.whenDefined(element.localName);
+    element.scrollIntoView();
+    await /** @type {any} */ (element).whenRendered();
+  });
+}
+
+/**
  * The picture, when it is at rest, as the element gives it.
  * @param {import('@playwright/test').Page | import('@playwright/test').FrameLocator} place
  * @param {string} [selector]
  */
 export async function pictureOf(place, selector = 'volume-view') {
+  await atRest(place, selector);
   const base64 = await place.locator(selector).evaluate(async (element) => {
     const view = /** @type {any} */ (element);
-    view.scrollIntoView();
-    await view.whenRendered();
     return btoa(
       Array.from(new Uint8Array(await (await view.toBlob()).arrayBuffer()), (byte) => String.fromCharCode(byte)).join(
         '',

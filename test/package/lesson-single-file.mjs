@@ -157,6 +157,7 @@ for (const address of [served, onDisk]) {
       const { formats, alerts } = JSON.parse(
         String(
           await page.evaluate(`(async () => {
+            await customElements.whenDefined('volume-view');
             const views = [...document.querySelectorAll('volume-view')];
             for (const view of views) { view.scrollIntoView(); await view.whenRendered(); }
             return JSON.stringify({
