@@ -27,6 +27,46 @@ export interface BrickLayout {
   readonly finest: GridFrame;
 }
 
+/** Bricks, and the volume over which they lie, in one 3D texture: the volume with its halo first, then layers of slots along z. */
+export interface AtlasShape {
+  /** Slots along x and y. */
+  readonly columns: number;
+  readonly rows: number;
+  /** Texels along x and y. */
+  readonly width: number;
+  readonly height: number;
+  /** Texels of the volume along z. */
+  readonly depth: number;
+  /** Slots of a layer: the atlas grows by whole layers. */
+  readonly slotsOfLayer: number;
+}
+
+/** Slots of an atlas along x and y: at least so many. */
+const [leastColumns, leastRows] = [16, 8];
+
+/** @param dimensions - of the volume */
+export function shapeAtlas([nx, ny, nz]: Vector3): AtlasShape {
+  const columns = Math.max(leastColumns, Math.ceil((nx + 2 * brickHalo) / slotSide));
+  const rows = Math.max(leastRows, Math.ceil((ny + 2 * brickHalo) / slotSide));
+  return {
+    columns,
+    rows,
+    width: columns * slotSide,
+    height: rows * slotSide,
+    depth: nz + 2 * brickHalo,
+    slotsOfLayer: columns * rows,
+  };
+}
+
+/** The first texel of a slot. */
+export function placeOfSlot({ columns, rows, depth, slotsOfLayer }: AtlasShape, slot: number): Vector3 {
+  return [
+    slotSide * (slot % columns),
+    slotSide * (Math.floor(slot / columns) % rows),
+    depth + slotSide * Math.floor(slot / slotsOfLayer),
+  ];
+}
+
 /** How far a level's axes may turn away from the volume's, in voxels over its whole length. */
 const maxTurn = 0.25;
 

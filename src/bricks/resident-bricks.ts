@@ -49,7 +49,7 @@ export class ResidentBricks implements FinerVoxels {
    * @param upload - see `FinerVoxels`
    */
   constructor(
-    readonly volume: Pick<VolumeData, 'grid' | 'macrocells'>,
+    readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
     readonly layout: BrickLayout,
     readonly upload: FinerVoxels['upload'],
   ) {
@@ -159,9 +159,19 @@ export class ResidentBricks implements FinerVoxels {
     return pages[page + 3] === 0 ? -1 : pages[page] + 256 * pages[page + 1] + 65536 * pages[page + 2];
   }
 
-  storedAt(place: Vector3): number | undefined {
-    const brick = this.#brickAt(place);
-    return brick && interpolate(brick.samples, slotDimensions, this.#placeIn(brick, place));
+  storedAt(place: Vector3): number {
+    const inside = this.#inFinest(place);
+    const brick = this.#brickAt(inside);
+    if (brick) return interpolate(brick.samples, slotDimensions, this.#placeIn(brick, inside));
+    return interpolate(this.volume.samples, this.volume.grid.dimensions, inside);
+  }
+
+  /** The place itself, or where the volume reaches beyond the finest level, the nearest one in that. */
+  #inFinest(place: Vector3): Vector3 {
+    const { scale, shift, dimensions } = this.layout.levels[0];
+    return place.map((x, axis) =>
+      Math.min((dimensions[axis] - shift[axis]) / scale[axis], Math.max(-shift[axis] / scale[axis], x)),
+    ) as unknown as Vector3;
   }
 
   nearestAt(place: Vector3): number | undefined {

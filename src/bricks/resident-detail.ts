@@ -1,5 +1,4 @@
 // What bricks over a volume hide, learnt from those that have come.
-import { interpolate } from '../optics/rays/interpolate.ts';
 import { cellSize } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
@@ -160,8 +159,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   }
 
   valueAt(x: number, y: number, z: number): number {
-    const { samples, grid } = this.volume;
-    return this.bricks.storedAt([x, y, z]) ?? interpolate(samples, grid.dimensions, [x, y, z]);
+    return this.bricks.storedAt([x, y, z]);
   }
 
   cellAt(x: number, y: number, z: number): number {

@@ -29,9 +29,9 @@ export interface FinerVoxels {
   readonly moving: boolean;
   /** The volume with the macrocells of now: another object if they have changed since the last call, so that what is made of them is made again. */
   current<V extends { readonly macrocells: Macrocells }>(volume: V): V;
-  /** The stored value at a place of the unit cube; NaN for no data, and undefined where the volume itself says more. */
-  storedAt(place: Vector3): number | undefined;
-  /** The same of the nearest voxel. */
+  /** The stored value at a place of the unit cube, of the volume itself where nothing finer is there; NaN for no data. */
+  storedAt(place: Vector3): number;
+  /** The value of the nearest voxel; undefined where the volume itself says more. */
   nearestAt(place: Vector3): number | undefined;
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;

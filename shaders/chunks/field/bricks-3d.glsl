@@ -1,17 +1,21 @@
-/// A volume with bricks of finer levels over it. Twin: bricks/resident-bricks.ts
+/// A volume with bricks of finer levels over it, all in one atlas: the volume with a halo of one voxel, and slots of bricks with theirs.
+/// Twin: bricks/resident-bricks.ts
 uniform sampler3D uVolume;
 
-/// Slots of bricks: each has SLOT_SIDE texels along each axis, the outermost of which are the halo.
-uniform sampler3D uBricks;
+/// Two texels for each cell (brick of the finest level): what is shown there lies at the texel of the atlas = place * second + first.
+uniform sampler3D uBrickPages;
 
-/// A texel for each cell (brick of the finest level): the slot of its brick in three bytes; 1 + the brick's level, or 0 where it has none.
-uniform sampler2D uBrickPages;
+/// Cell = place * the first + the second; and the last one.
+uniform vec3 uCellScale;
+uniform vec3 uCellShift;
+uniform vec3 uLastCell;
 
-/// Four texels for each level: its voxels are xyz of the first * place + xyz of the second; its size in voxels; cells of a brick.
-uniform sampler2D uBrickLevels;
+/// Places between which the finest level lies.
+uniform vec3 uFinestLow;
+uniform vec3 uFinestHigh;
 
-/// Cells along each axis.
-uniform vec3 uBrickCells;
+/// 1 / texels of the atlas.
+uniform vec3 uPerTexel;
 
 /// Voxels along the unit cube: of the finest level, for light; and of the finest level of which there are bricks, for the walk.
 uniform vec3 uFinestVoxels;
@@ -20,60 +24,26 @@ uniform vec3 uPlaneVoxels;
 #define FINEST_VOXELS uFinestVoxels
 #define PLANE_VOXELS uPlaneVoxels
 
-/// The voxels at the last place for which `findVoxels` was called: voxel = scale * place + shift, and how many there are. The voxel at 0 of a
-/// brick's level would lie at texel `brickStart` of its slot.
-bool isInBrick;
+/// Voxels along the unit cube, of what is shown at the last place that `inAtlas` was asked for.
 vec3 voxelScale;
-vec3 voxelShift;
-vec3 voxelCount;
-vec3 brickStart;
 
-vec4 brickLevel(int level, int row) {
-  return texelFetch(uBrickLevels, ivec2(4 * level + row, 0), 0);
+/// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation needs, also at the ends of a level.
+vec3 inAtlas(vec3 p) {
+  vec3 place = clamp(p, uFinestLow, uFinestHigh);
+  ivec3 page = ivec3(min(place * uCellScale + uCellShift, uLastCell)) * ivec3(2, 1, 1);
+  voxelScale = texelFetch(uBrickPages, page + ivec3(1, 0, 0), 0).xyz;
+  return place * voxelScale + texelFetch(uBrickPages, page, 0).xyz;
 }
 
-/// p: unit cube
-void findVoxels(vec3 p) {
-  vec3 cell = clamp(floor((p * brickLevel(0, 0).xyz + brickLevel(0, 1).xyz) / BRICK_SIDE), vec3(0.0), uBrickCells - 1.0);
-  int number = int(cell.x + 0.5) + int(uBrickCells.x + 0.5) * (int(cell.y + 0.5) + int(uBrickCells.y + 0.5) * int(cell.z + 0.5));
-  ivec4 page = ivec4(texelFetch(uBrickPages, ivec2(number % PAGE_COLUMNS, number / PAGE_COLUMNS), 0) * 255.0 + 0.5);
-  isInBrick = page.a > 0;
-  voxelScale = uDimensions;
-  voxelShift = vec3(0.0);
-  voxelCount = uDimensions;
-  if (isInBrick) {
-    int level = page.a - 1;
-    int slot = page.r + 256 * page.g + 65536 * page.b;
-    voxelScale = brickLevel(level, 0).xyz;
-    voxelShift = brickLevel(level, 1).xyz;
-    voxelCount = brickLevel(level, 2).xyz;
-    vec3 bricks = ceil(voxelCount / BRICK_SIDE);
-    vec3 brick = min(bricks - 1.0, floor((cell + 0.5) / brickLevel(level, 3).xyz));
-    vec3 place = vec3(slot % SLOT_COLUMNS, slot / SLOT_COLUMNS % SLOT_ROWS, slot / (SLOT_COLUMNS * SLOT_ROWS));
-    brickStart = SLOT_SIDE * place + BRICK_HALO - BRICK_SIDE * brick;
-  }
-}
+#define IN_VOXELS(p) inAtlas(p)
+#define LAST_VOXEL (1.0 / uPerTexel - 1.0)
 
-#define IN_VOXELS(p) inVoxels(p)
-#define LAST_VOXEL (voxelCount - 1.0)
-
-vec3 inVoxels(vec3 p) {
-  findVoxels(p);
-  return p * voxelScale + voxelShift;
-}
-
-/// Stored value of a voxel next to the place for which `findVoxels` was called last; index: whole numbers, inside the level.
+/// Stored value of a texel of the atlas.
 float fetchVoxel(vec3 index) {
-  vec4 texel;
-  if (isInBrick) texel = texelFetch(uBricks, ivec3(brickStart + index + 0.5), 0);
-  else texel = texelFetch(uVolume, ivec3(index + 0.5), 0);
-  return decodeTexel(texel);
+  return decodeTexel(texelFetch(uVolume, ivec3(index + 0.5), 0));
 }
 
 /// Stored value, interpolated by the device's own tri-linear filter; p: unit cube.
 float filterVolume(vec3 p) {
-  findVoxels(p);
-  if (!isInBrick) return decodeTexel(textureLod(uVolume, p, 0.0));
-  vec3 voxel = clamp(p * voxelScale + voxelShift, vec3(0.5), voxelCount - 0.5);
-  return decodeTexel(textureLod(uBricks, (brickStart + voxel) / vec3(textureSize(uBricks, 0)), 0.0));
+  return decodeTexel(textureLod(uVolume, inAtlas(p) * uPerTexel, 0.0));
 }

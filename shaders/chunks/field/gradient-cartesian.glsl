@@ -11,7 +11,7 @@ vec3 growsTowards(vec3 p, vec3 from, vec3 perVoxel) {
 #define TAPS_IN_LOOP
 
 vec3 tapSteps(vec3 from) {
-  findVoxels(from);
+  inAtlas(from);
   return 1.0 / voxelScale;
 }
 

@@ -33,7 +33,7 @@ export function cartesianField({
   if (isDiscrete)
     return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
   return {
-    ...storedField((place) => finer?.storedAt(place) ?? interpolate(samples, dimensions, place), scaling),
+    ...storedField((place) => (finer ? finer.storedAt(place) : interpolate(samples, dimensions, place)), scaling),
     kinksBetween: (from, to) => kinksBetween(finer?.grid.dimensions ?? dimensions, from, to),
     kinksAlong,
   };

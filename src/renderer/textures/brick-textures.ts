@@ -1,37 +1,22 @@
 import { brickSide } from '../../bricks/brick-data.ts';
-import { slotSide } from '../../bricks/brick-layout.ts';
+import { brickHalo, placeOfSlot, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
+import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
-import type { Samples } from '../../volume/volume.ts';
+import { allocateLike } from '../../volume/samples.ts';
+import type { Samples, VolumeData } from '../../volume/volume.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 import { textureUnit } from '../device/texture-unit.ts';
-import { pixelsOf, prepareUpload } from './fill-texture.ts';
-import type { Texels } from './fill-texture.ts';
-
-/** Slots of the atlas along x and y; along z it grows. */
-export const slotColumns = 16;
-export const slotRows = 8;
-
-/** The atlas grows by whole layers of slots. */
-export const slotsOfLayer = slotColumns * slotRows;
+import { finishUpload, pieceBytes, pixelsOf, prepareUpload } from './fill-texture.ts';
+import type { Texels, Upload } from './fill-texture.ts';
 
 /** A larger atlas is so many times as large, if there may be so many slots: all bricks have to be written again. */
 const growth = 4;
 
-const layersOf = (slots: number): number => Math.ceil(slots / slotsOfLayer);
+/** Floats of a cell in the page table. Twin: shaders/chunks/field/bricks-3d.glsl */
+const cellFloats = 8;
 
-/** Cells in a row of the page table. */
-export const pageColumns = 1024;
-
-/** The options that the shader of the textures needs. Twin: shaders/chunks/field/bricks-3d.glsl */
-export const brickDefines = {
-  BRICKS: 1,
-  BRICK_SIDE: brickSide.toFixed(1),
-  BRICK_HALO: ((slotSide - brickSide) / 2).toFixed(1),
-  SLOT_SIDE: slotSide.toFixed(1),
-  SLOT_COLUMNS: slotColumns,
-  SLOT_ROWS: slotRows,
-  PAGE_COLUMNS: pageColumns,
-};
+/** Bytes of the page table. */
+export const pageBytes = ([cx, cy, cz]: readonly [number, number, number]): number => 4 * cellFloats * cx * cy * cz;
 
 /** How samples become texels. */
 export interface BrickPacking {
@@ -40,53 +25,75 @@ export interface BrickPacking {
   pack(samples: Samples): Samples;
 }
 
-/** Bricks on the GPU: an atlas of slots as a 3D texture, and the page table of their cells as a 2D one. WebGL 2 only. */
+/** A volume and its bricks on the GPU: an atlas, and the page table of their cells, both 3D textures. WebGL 2 only. Call `fill` first. */
 export class BrickTextures {
+  readonly #shape: AtlasShape;
   #atlas: WebGLTexture | null = null;
   #layers = 0;
   readonly #pages: WebGLTexture;
-  readonly #levels: WebGLTexture;
-  /** What is in the textures now. */
+  /** The bricks that are in the atlas, by slot; and the pages that are in the page table. */
   readonly #written: (ResidentBrick | undefined)[] = [];
+  #pagesWritten: Uint8Array | null = null;
   #changes = -1;
 
   constructor(
     readonly gl: WebGL2RenderingContext,
+    readonly volume: Pick<VolumeData, 'samples' | 'grid'>,
     readonly bricks: ResidentBricks,
     readonly packing: BrickPacking,
   ) {
+    this.#shape = shapeAtlas(volume.grid.dimensions);
     this.#pages = gl.createTexture();
-    this.#levels = gl.createTexture();
-    this.#writeLevels();
-    this.#resize(1);
   }
 
   get bytes(): number {
-    return this.#layers * slotsOfLayer * slotSide ** 3 * this.packing.texels.bytes + this.bricks.pages.length;
+    return this.#bytesOf(this.#layers) + pageBytes(this.bricks.layout.cells);
+  }
+
+  #bytesOf(layers: number): number {
+    const { width, height, depth } = this.#shape;
+    return width * height * (depth + layers * slotSide) * this.packing.texels.bytes;
+  }
+
+  /** Writes the volume piece by piece. @returns whether there was memory for it */
+  *fill(): Upload<boolean> {
+    const { gl } = this;
+    const [cx, cy, cz] = this.bricks.layout.cells;
+    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
+    gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, 2 * cx, cy, cz);
+    if (!this.#allocate(1)) return false;
+    yield* this.#writeVolume();
+    return true;
   }
 
   /** What programs read, with the bricks that came since. */
   inputs(): ProgramInputs {
     this.#update();
     const { gl, bricks } = this;
-    const unit = (type: number, texture: WebGLTexture, samplerName: string, filter: number = gl.NEAREST) =>
-      textureUnit(gl, { type, texture, filter, samplerName });
+    const {
+      cells,
+      levels: [{ scale, shift, dimensions }],
+    } = bricks.layout;
+    const { width, height, depth } = this.#shape;
+    const unit = (texture: WebGLTexture, samplerName: string, filter: number) =>
+      textureUnit(gl, { type: gl.TEXTURE_3D, texture, filter, samplerName });
     return {
       uniforms: {
-        uBrickCells: bricks.layout.cells,
+        uCellScale: scale.map((n) => n / brickSide),
+        uCellShift: shift.map((n) => n / brickSide),
+        uLastCell: cells.map((n) => n - 0.5),
+        uFinestLow: shift.map((n, axis) => -n / scale[axis]),
+        uFinestHigh: shift.map((n, axis) => (dimensions[axis] - n) / scale[axis]),
+        uPerTexel: [1 / width, 1 / height, 1 / (depth + this.#layers * slotSide)],
         uFinestVoxels: bricks.finest.dimensions,
         uPlaneVoxels: bricks.grid.dimensions,
       },
-      units: [
-        unit(gl.TEXTURE_3D, this.#atlas!, 'uBricks', this.packing.filter),
-        unit(gl.TEXTURE_2D, this.#pages, 'uBrickPages'),
-        unit(gl.TEXTURE_2D, this.#levels, 'uBrickLevels'),
-      ],
+      units: [unit(this.#atlas!, 'uVolume', this.packing.filter), unit(this.#pages, 'uBrickPages', gl.NEAREST)],
     };
   }
 
   dispose(): void {
-    for (const texture of [this.#atlas, this.#pages, this.#levels]) this.gl.deleteTexture(texture);
+    for (const texture of [this.#atlas, this.#pages]) this.gl.deleteTexture(texture);
     this.#atlas = null;
   }
 
@@ -94,6 +101,7 @@ export class BrickTextures {
     const { bricks } = this;
     if (this.#changes === bricks.changes.pages) return;
     this.#changes = bricks.changes.pages;
+    const layersOf = (slots: number): number => Math.ceil(slots / this.#shape.slotsOfLayer);
     const layers = layersOf(bricks.slots);
     const most = layersOf(bricks.capacity);
     if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
@@ -108,73 +116,104 @@ export class BrickTextures {
   /** An atlas of another size is filled again: WebGL has no quick way to copy a 3D texture, and the samples are kept for picks anyway. */
   #resize(layers: number): void {
     const before = this.#layers;
-    if (this.#allocate(layers) || before === 0) return;
-    // The GPU has no memory for more: what no longer fits goes.
-    this.#allocate(before);
-    this.bricks.maxSlots = before * slotsOfLayer;
-    this.bricks.fit(this.bricks.maxSlots);
+    if (!this.#allocate(layers)) {
+      // The GPU has no memory for more: what no longer fits goes.
+      this.#allocate(before);
+      this.bricks.maxSlots = before * this.#shape.slotsOfLayer;
+      this.bricks.fit(this.bricks.maxSlots);
+    }
+    finishUpload(this.#writeVolume());
   }
 
   /** @returns whether there was memory for it */
   #allocate(layers: number): boolean {
     const { gl } = this;
+    const { width, height, depth } = this.#shape;
     gl.deleteTexture(this.#atlas);
     this.#atlas = gl.createTexture();
     this.#written.length = 0;
     this.#layers = layers;
     gl.bindTexture(gl.TEXTURE_3D, this.#atlas);
-    const [width, height] = [slotColumns * slotSide, slotRows * slotSide];
-    gl.texStorage3D(gl.TEXTURE_3D, 1, this.packing.texels.internal, width, height, layers * slotSide);
+    gl.texStorage3D(gl.TEXTURE_3D, 1, this.packing.texels.internal, width, height, depth + layers * slotSide);
     return gl.getError() !== gl.OUT_OF_MEMORY;
   }
 
+  /** The volume with its halo: voxels outside have the value of the nearest one inside. */
+  *#writeVolume(): Upload<void> {
+    const {
+      samples,
+      grid: {
+        dimensions: [nx, ny, nz],
+      },
+    } = this.volume;
+    const [width, height] = [nx + 2 * brickHalo, ny + 2 * brickHalo];
+    const inside = (n: number, size: number): number => Math.min(size - 1, Math.max(0, n - brickHalo));
+    const atOnce = Math.max(1, Math.floor(pieceBytes / (width * height * samples.BYTES_PER_ELEMENT)));
+    const { depth } = this.#shape;
+    for (let first = 0; first < depth; first += atOnce) {
+      const slices = Math.min(atOnce, depth - first);
+      const piece = allocateLike(samples, width * height * slices);
+      for (let k = 0, to = 0; k < slices; k++)
+        for (let j = 0; j < height; j++, to += width) {
+          const from = nx * (inside(j, ny) + ny * inside(first + k, nz));
+          piece.set(samples.subarray(from, from + nx), to + brickHalo);
+          piece.fill(samples[from], to, to + brickHalo);
+          piece.fill(samples[from + nx - 1], to + brickHalo + nx, to + width);
+        }
+      this.#writeBlock([0, 0, first], [width, height, slices], piece);
+      yield piece.byteLength;
+    }
+  }
+
   #write(brick: ResidentBrick): void {
+    this.#writeBlock(placeOfSlot(this.#shape, brick.slot), [slotSide, slotSide, slotSide], brick.samples);
+    this.#written[brick.slot] = brick;
+  }
+
+  #writeBlock([x, y, z]: readonly number[], [nx, ny, nz]: readonly number[], samples: Samples): void {
     const { gl } = this;
-    const { slot, samples } = brick;
     const { format, type } = this.packing.texels;
-    const place = [slot % slotColumns, Math.floor(slot / slotColumns) % slotRows, Math.floor(slot / slotsOfLayer)].map(
-      (n) => n * slotSide,
-    );
+    const pixels = pixelsOf(this.packing.pack(samples));
     gl.bindTexture(gl.TEXTURE_3D, this.#atlas);
     prepareUpload(gl);
-    const pixels = pixelsOf(this.packing.pack(samples));
-    gl.texSubImage3D(
-      gl.TEXTURE_3D,
-      0,
-      place[0],
-      place[1],
-      place[2],
-      slotSide,
-      slotSide,
-      slotSide,
-      format,
-      type,
-      pixels,
-    );
-    this.#written[slot] = brick;
+    gl.texSubImage3D(gl.TEXTURE_3D, 0, x, y, z, nx, ny, nz, format, type, pixels);
   }
 
+  /** The slices of the page table in which something has changed. */
   #writePages(): void {
-    const { gl } = this;
-    const { pages } = this.bricks;
-    const rows = Math.ceil(pages.length / (4 * pageColumns));
-    const texels = new Uint8Array(4 * pageColumns * rows);
-    texels.set(pages);
-    gl.bindTexture(gl.TEXTURE_2D, this.#pages);
+    const { gl, bricks } = this;
+    const { pages } = bricks;
+    const [cx, cy, cz] = bricks.layout.cells;
+    const before = this.#pagesWritten;
+    const texels = new Float32Array(cellFloats * cx * cy);
+    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
     prepareUpload(gl);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, pageColumns, rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+    for (let k = 0; k < cz; k++) {
+      const [first, end] = [k * cx * cy, (k + 1) * cx * cy];
+      let changes = !before;
+      for (let byte = 4 * first; byte < 4 * end && !changes; byte++) changes = pages[byte] !== before![byte];
+      if (!changes) continue;
+      for (let cell = first; cell < end; cell++)
+        this.#describeCell(cell, texels.subarray(cellFloats * (cell - first), cellFloats * (cell - first + 1)));
+      gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, k, 2 * cx, cy, 1, gl.RGBA, gl.FLOAT, texels);
+    }
+    this.#pagesWritten = pages.slice();
   }
 
-  #writeLevels(): void {
-    const { gl } = this;
-    const { levels } = this.bricks.layout;
-    const texels = Float32Array.from(
-      levels.flatMap(({ scale, shift, dimensions, factors }) =>
-        [scale, shift, dimensions, factors].flatMap((vector) => [...vector, 0]),
-      ),
-    );
-    gl.bindTexture(gl.TEXTURE_2D, this.#levels);
-    prepareUpload(gl);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 4 * levels.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
+  #describeCell(cell: number, into: Float32Array): void {
+    const { bricks } = this;
+    const slot = bricks.slotOf(cell);
+    if (slot < 0) {
+      into.fill(brickHalo, 0, 3);
+      into.set(this.volume.grid.dimensions, 4);
+      return;
+    }
+    const { level, at } = bricks.inSlot(slot)!;
+    const { scale, shift } = bricks.layout.levels[level];
+    const place = placeOfSlot(this.#shape, slot);
+    for (let axis = 0; axis < 3; axis++) {
+      into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
+      into[4 + axis] = scale[axis];
+    }
   }
 }

@@ -1,5 +1,6 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
-import { slotSide, layBricks } from '../../bricks/brick-layout.ts';
+import { layBricks, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
+import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
@@ -8,7 +9,7 @@ import type { LoadRequest } from '../../formats/base/load-request.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { uploadBricks } from '../../renderer/ray/modules/bricks.ts';
 import type { FieldModule } from '../../renderer/ray/ray-module.ts';
-import { slotsOfLayer } from '../../renderer/textures/brick-textures.ts';
+import { pageBytes } from '../../renderer/textures/brick-textures.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import type { FinerLevel } from '../../volume/finer-voxels.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
@@ -55,6 +56,7 @@ export class BrickView implements ViewPart {
   readonly volume: Volume;
   /** The error that the bricks leave in the last picture, 1/255: root mean square; null where it is not known. */
   rms: number | null = null;
+  readonly #shape: AtlasShape;
   readonly #detail: ResidentDetail;
   readonly #levels: readonly FinerLevel[];
   readonly #maxBytes: number;
@@ -86,6 +88,7 @@ export class BrickView implements ViewPart {
   ) {
     const { pinned, request } = parts;
     this.#levels = pinned.levels!;
+    this.#shape = shapeAtlas(pinned.grid.dimensions);
     this.#maxBytes = request.settings?.maxGpuBytes ?? usualGpuBytes();
     this.bricks = new ResidentBricks(pinned, layout, (gl: Gl, volume: VolumeData, device: Device) =>
       this.#upload(gl, volume, device),
@@ -118,14 +121,16 @@ export class BrickView implements ViewPart {
 
   /** Of the pinned volume and of the table. */
   get #fixedBytes(): number {
-    return this.parts.pinned.samples.byteLength + this.bricks.pages.length;
+    const { width, height, depth } = this.#shape;
+    return width * height * depth * this.parts.pinned.samples.BYTES_PER_ELEMENT + pageBytes(this.bricks.layout.cells);
   }
 
   /** Slots that the share of this view has room for: whole layers of the atlas. */
   get #capacity(): number {
+    const { slotsOfLayer, depth } = this.#shape;
     const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
     const layers = Math.floor(own / (slotsOfLayer * this.#bytesOfBrick));
-    const most = Math.min(layers, Math.floor(this.#maxSide / slotSide), this.bricks.maxSlots / slotsOfLayer);
+    const most = Math.min(layers, Math.floor((this.#maxSide - depth) / slotSide), this.bricks.maxSlots / slotsOfLayer);
     return slotsOfLayer * Math.max(1, most);
   }
 

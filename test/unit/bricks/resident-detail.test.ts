@@ -20,7 +20,7 @@ function makeRough() {
     field: (x, y) => (x < 0.5 ? random() : 0.5 + 0.2 * Math.sin(3 * y)),
   });
   const made = cutIntoBricks(whole, 3, () => false);
-  const detail = new ResidentDetail(made.volume.finer.volume as typeof made.volume, made.volume.finer);
+  const detail = new ResidentDetail(made.volume.finer.volume, made.volume.finer);
   const add = (brick: Brick): void => {
     const samples = readBrick(made.pyramid, brick);
     detail.measure(brick, samples);

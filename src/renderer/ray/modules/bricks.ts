@@ -3,12 +3,11 @@ import bricks3d from '../../../../shaders/chunks/field/bricks-3d.glsl?raw';
 import type { ResidentBricks } from '../../../bricks/resident-bricks.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
-import { joinInputs } from '../../device/inputs.ts';
-import { BrickTextures, brickDefines } from '../../textures/brick-textures.ts';
+import { BrickTextures } from '../../textures/brick-textures.ts';
 import { texelsOf } from '../../textures/fill-texture.ts';
 import type { Upload } from '../../textures/fill-texture.ts';
 import type { FieldModule, RayText } from '../ray-module.ts';
-import { cartesianProvider, cartesianText, cartesianTwin, isFiltered } from './cartesian-field.ts';
+import { cartesianText, cartesianTwin, isFiltered, storedScaleOf, tooLarge } from './cartesian-field.ts';
 import type { CartesianOptions } from './cartesian-field.ts';
 import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 
@@ -21,37 +20,46 @@ export function bricksText(options: Omit<CartesianOptions, 'texture3d'>): RayTex
   return {
     ...whole,
     name: 'bricks',
-    defines: { ...whole.defines, ...brickDefines },
+    defines: { ...whole.defines, BRICKS: 1 },
     chunks: whole.chunks.map((chunk) => (chunk === volume3d ? bricks3d : chunk)),
-    samplers: [...whole.samplers, 'uBricks', 'uBrickPages', 'uBrickLevels'],
+    samplers: [...whole.samplers, 'uBrickPages'],
   };
 }
 
-/** Uploads volumes that have `ResidentBricks` as their finer voxels; only in WebGL 2. */
+/**
+ * Uploads volumes that have `ResidentBricks` as their finer voxels; only in WebGL 2.
+ * @throws {VolumeViewError} `format/too-large` if the volume itself does not fit the device
+ */
 export function* uploadBricks(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
-  const whole = yield* cartesianProvider.upload(gl, volume, device);
   const { samples, hasNoData: noData } = volume;
   const filterInShader = !isFiltered(volume, device);
-  const textures = new BrickTextures(gl as WebGL2RenderingContext, volume.finer as ResidentBricks, {
+  const storedScale = storedScaleOf(volume);
+  const textures = new BrickTextures(gl as WebGL2RenderingContext, volume, volume.finer as ResidentBricks, {
     texels: texelsOf(gl, samples),
     filter: filterInShader ? gl.NEAREST : gl.LINEAR,
     pack: (some) =>
       some instanceof Float32Array
-        ? some.map((value) => (Number.isFinite(value) ? value / whole.storedScale : lacksData))
+        ? some.map((value) => (Number.isFinite(value) ? value / storedScale : lacksData))
         : some,
   });
+  let isWhole = false;
+  try {
+    if (!(yield* textures.fill())) throw tooLarge(volume, device);
+    isWhole = true;
+  } finally {
+    if (!isWhole) textures.dispose();
+  }
   return {
-    ...whole,
     ...bricksText({ twoBytes: samples instanceof Uint16Array, noData, filterInShader }),
     stage: 'field',
+    sparesRays: true,
+    order: 2,
+    storedScale,
     twin: cartesianTwin,
     get bytes() {
-      return whole.bytes + textures.bytes;
+      return textures.bytes;
     },
-    inputs: () => joinInputs(whole.inputs(), textures.inputs()),
-    dispose() {
-      whole.dispose();
-      textures.dispose();
-    },
+    inputs: () => textures.inputs(),
+    dispose: () => textures.dispose(),
   };
 }

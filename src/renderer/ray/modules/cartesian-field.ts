@@ -129,12 +129,12 @@ export function* uploadBlock(
     grid: { dimensions },
   } = volume;
   const texture3d = isWebGl2(gl);
-  const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
-  const floatScale = float ? chunks!.chooseFloatScale(volume as VolumeData) : 1;
+  const storedScale = storedScaleOf(volume);
+  const floatScale = float ? storedScale : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, packing, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
@@ -145,11 +145,18 @@ export function* uploadBlock(
     samplerName: 'uVolume',
   });
   return {
-    storedScale: float ? floatScale : twoBytes ? 1 : 255,
+    storedScale,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
     inputs: () => ({ uniforms, units: [unit] }),
     dispose: () => gl.deleteTexture(texture),
   };
+}
+
+/** What a value of 1 in a texel stands for. */
+export function storedScaleOf(volume: Block): number {
+  const { samples } = volume;
+  if (samples instanceof Float32Array) return chunks!.chooseFloatScale(volume as VolumeData);
+  return samples instanceof Uint16Array ? 1 : 255;
 }
 
 interface Filling {
@@ -196,7 +203,7 @@ function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: re
   return texture;
 }
 
-function tooLarge(volume: Block, device: Device): VolumeViewError {
+export function tooLarge(volume: Block, device: Device): VolumeViewError {
   const limit = device.webgl2
     ? `${device.max3dTextureSize} voxels along each axis`
     : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
