@@ -238,6 +238,7 @@ function replaceServed() {
   rmSync(old, { recursive: true, force: true });
 }
 
+console.log('dist/ is being built: about a minute');
 // If a build fails, it removes its own files, and the old build stays in its place.
 process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });

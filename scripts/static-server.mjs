@@ -7,7 +7,7 @@ import { pathToFileURL } from 'node:url';
 import { findFile, findSharedData, projectRoot } from './shared-data.mjs';
 
 /** @type {Record<string, string>} */
-const TYPES = {
+export const TYPES = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
   '.mjs': 'text/javascript; charset=utf-8',

@@ -1,13 +1,13 @@
 // The site of the docs: all its links lead somewhere, each example has a picture or says why not, and its pages are read, searched and changed in a browser.
 import assert from 'node:assert/strict';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, posix } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from '@playwright/test';
 import { parse } from 'parse5';
-import { runnerImport } from 'vite';
+import { createServer, runnerImport } from 'vite';
 import { buildSite } from '../../packages/site/build/build.mjs';
 import { exampleOf } from '../../packages/site/build/examples.mjs';
 import { pagesOfDemos, writeGallery } from '../../packages/site/build/gallery.mjs';
@@ -275,6 +275,55 @@ await check('the first live example of every other page has something in its pic
   await page.close();
   return `${opened.length} of ${live.length} examples; --all opens all`;
 });
+
+await check(
+  '`npm start` shows the site first, one click before demos and studio, and builds it again after a change',
+  async () => {
+    const vite = await createServer({
+      root: projectRoot,
+      logLevel: 'silent',
+      server: { port: 0, open: false, hmr: false },
+    });
+    try {
+      await vite.listen();
+      const url = vite.resolvedUrls?.local[0] ?? '';
+      const textOf = async (/** @type {string} */ path) => {
+        const response = await fetch(url + path);
+        return response.ok ? await response.text() : `status ${response.status}`;
+      };
+      const first = await textOf('');
+      assert.match(first, /<h1 id="volume-view">/);
+      const links = [...elementsOf(parse(first))].map(({ attributes }) => attributes.href);
+      for (const [href, title] of [
+        ['/demos/', 'Demos'],
+        ['gallery.html', 'Gallery'],
+        ['studio/index.html', 'Lesson studio'],
+      ]) {
+        assert.ok(links.includes(href), href);
+        assert.match(await textOf(href.replace(/^\//, '')), new RegExp(`<title>${title}`));
+      }
+      for (const address of pages.keys())
+        assert.match(await textOf(address), /<a href="\/demos\/">Demos<\/a>/, address);
+      for (const file of [
+        'site.js',
+        'site.css',
+        'search-index.js',
+        'examples/head.nii.gz',
+        'examples/dist/volume-view.js',
+      ])
+        assert.doesNotMatch(await textOf(file), /^(status|<)/, file);
+      assert.match(await textOf('demos/one-tag.html'), /@vite\/client|demo\.js/);
+      assert.equal(await textOf('docs/guide/missing.html'), 'status 404');
+      const index = join(projectRoot, 'packages/site/dist/index.html');
+      writeFileSync(index, 'old');
+      assert.match(await textOf('index.html'), /^old/);
+      vite.watcher.emit('all', 'change', join(projectRoot, 'README.md'));
+      assert.match(await textOf('index.html'), /<h1 id="volume-view">/);
+    } finally {
+      await vite.close();
+    }
+  },
+);
 
 assert.equal(built.pages + 1, pages.size);
 await browser.close();

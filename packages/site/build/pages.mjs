@@ -122,3 +122,7 @@ ${body}</main>
 </html>
 `;
 }
+
+/** The page with a link to the demos, for the server that has them too. @param {string} html */
+export const addDemosLink = (html) =>
+  html.replace('<nav aria-label="Main">', '<nav aria-label="Main"><a href="/demos/">Demos</a> ');
