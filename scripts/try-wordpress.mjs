@@ -9,6 +9,7 @@ import { findBrowser, listTestArgs } from './find-browser.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { startSite } from './wordpress/start-site.mjs';
 import { tryBlock } from './wordpress/try-block.mjs';
+import { tryEmbeds } from './wordpress/try-embeds.mjs';
 import { tryLanguage } from './wordpress/try-language.mjs';
 import { tryPages } from './wordpress/try-pages.mjs';
 import { tryRemoval } from './wordpress/try-removal.mjs';
@@ -26,6 +27,7 @@ try {
   await tryUploads(trial);
   await tryBlock(trial);
   await tryPages(trial);
+  await tryEmbeds(trial, from);
   await tryLanguage(trial);
   tryRemoval(trial);
   assert.deepEqual(site.listErrors(), []);
