@@ -98,6 +98,13 @@ export function gridOfLevel(grid: GridFrame, { scale }: LevelFrame): GridFrame {
   return { dimensions: scale, indexToWorld, spacing: spacingOf(indexToWorld) };
 }
 
+/** The cell at a place of the volume's unit cube; outside of the finest level, the nearest one. */
+export function cellOfPlace({ cells, levels: [{ scale, shift }] }: BrickLayout, place: Vector3): Vector3 {
+  return place.map((x, axis) =>
+    Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * scale[axis] + shift[axis]) / brickSide))),
+  ) as unknown as Vector3;
+}
+
 /** The brick of a level that has a cell. @param cell - its number along each axis */
 export function brickOfCell({ factors, bricks }: LevelFrame, cell: Vector3): Vector3 {
   return cell.map((n, axis) => Math.min(bricks[axis] - 1, Math.floor(n / factors[axis]))) as unknown as Vector3;

@@ -1,4 +1,6 @@
-import { brickOfCell } from './brick-layout.ts';
+import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
+import { brickOfCell, cellOfPlace } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { RankedBrick } from './choose-bricks.ts';
 import type { DetailListener } from './estimate-detail.ts';
@@ -70,6 +72,42 @@ export class BrickGains implements DetailListener {
     ];
     return brickOfCell(levels[level], at);
   }
+}
+
+/** Rays across and down of which some say where bricks are looked at, whatever is expected of them; and how many of those that meet the volume do. */
+const [probesAcross, mostProbes] = [12, 9];
+
+/** Shares of a ray from one probe to the next: they fill it evenly. */
+const golden = 0.6180339887;
+
+/**
+ * The next bricks to look at before anything is said of what coarse bricks hide, as single bright voxels may leave no trace in a coarse level: at
+ * places in the picture, from the coarsest level of bricks to the finest, one after the other.
+ * @param isKnown - bricks that were looked at
+ */
+export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick: Brick) => boolean): Brick[] {
+  const places: Vector3[] = [];
+  for (let n = 0; n < probesAcross ** 2; n++) {
+    const [column, row] = [n % probesAcross, Math.floor(n / probesAcross)];
+    const ray = rayThrough(rays, (2 * column + 1) / probesAcross - 1, 1 - (2 * row + 1) / probesAcross);
+    const [enter, exit] = crossVolume(rays, ray);
+    const entry = Math.max(enter, rays.eyeT);
+    if (!(exit > entry)) continue;
+    const t = entry + ((0.5 + n * golden) % 1) * (exit - entry);
+    places.push(ray.point.map((x, axis) => x + t * ray.direction[axis]) as unknown as Vector3);
+  }
+  const found = new Map<string, Brick>();
+  const apart = Math.max(1, places.length / mostProbes);
+  for (let n = apart / 2; n < places.length; n += apart) {
+    const cell = cellOfPlace(layout, places[Math.floor(n)]);
+    for (let level = layout.levels.length - 1; level >= 0; level--) {
+      const brick = { level, at: brickOfCell(layout.levels[level], cell) };
+      if (isKnown(brick)) continue;
+      found.set(`${level}/${numberOf(layout, brick)}`, brick);
+      break;
+    }
+  }
+  return [...found.values()];
 }
 
 const firstCell = ({ levels }: BrickLayout, { level, at }: Brick): Vector3 =>

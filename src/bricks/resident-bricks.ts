@@ -7,7 +7,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo, brickOfCell, cellsOfBrick, gridOfLevel, slotSide } from './brick-layout.ts';
+import { brickHalo, brickOfCell, cellOfPlace, cellsOfBrick, gridOfLevel, slotSide } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
@@ -197,14 +197,10 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   /** The number of the cell at a place of the unit cube. */
-  cellAt([x, y, z]: Vector3): number {
-    const {
-      cells: [cx, cy, cz],
-      levels: [{ scale, shift }],
-    } = this.layout;
-    const index = (axis: number, share: number, count: number): number =>
-      Math.min(count - 1, Math.max(0, Math.floor((share * scale[axis] + shift[axis]) / brickSide)));
-    return index(0, x, cx) + cx * (index(1, y, cy) + cy * index(2, z, cz));
+  cellAt(place: Vector3): number {
+    const [cx, cy] = this.layout.cells;
+    const [i, j, k] = cellOfPlace(this.layout, place);
+    return i + cx * (j + cy * k);
   }
 
   #brickAt(place: Vector3): ResidentBrick | undefined {

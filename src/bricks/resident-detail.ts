@@ -1,10 +1,11 @@
 // What bricks over a volume hide, learnt from those that have come.
+import { interpolate } from '../optics/rays/interpolate.ts';
 import { cellSize } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { slotSide } from './brick-layout.ts';
+import { brickHalo, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import type { Brick } from './pyramid.ts';
@@ -20,8 +21,13 @@ interface Measured {
   readonly before: number;
 }
 
-/** Voxels from one that is measured to the next, along each axis. */
+/** Voxels from one place that is measured to the next, along each axis. */
 const stride = 3;
+
+/** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
+const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
+
+const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
 /**
  * The roughness of a macrocell is its largest second difference: so much of it is the root mean square of what a level of half the voxels hides of
@@ -30,9 +36,9 @@ const stride = 3;
 const [rmsOfRoughness, maxOfRoughness] = [0.13, 0.4];
 
 /** An octave has at least this share and at most so many times the detail of the next coarser one. */
-const limits = [0.25, 3] as const;
+const limits = [0.25, 8] as const;
 
-/** The largest residual of a block is at least so many times its root mean square. */
+/** The largest residual of a block is at least so many times its root mean square; more where bricks of its level have had more. */
 const leastPeak = 2;
 
 /**
@@ -47,6 +53,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
   readonly #coarse: Float64Array;
   /** By level of the shown brick * (levels + 1) + level that is asked for: times the detail of the octave that is known. */
   readonly #factors: Float64Array;
+  /** By level: the largest residual that was measured, in root mean squares of its brick. */
+  readonly #peaks: Float64Array;
   #rmsOfSlot = new Float64Array(0);
   #maxOfSlot = new Float64Array(0);
   readonly #range: [low: number, high: number] = [Infinity, -Infinity];
@@ -59,6 +67,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#fine = new Float64Array(this.levels);
     this.#coarse = new Float64Array(this.levels);
     this.#factors = new Float64Array(this.levels * (this.levels + 1));
+    this.#peaks = new Float64Array(this.levels).fill(leastPeak);
     const { low, high } = volume.macrocells;
     for (let n = 0; n < low.length; n++) this.#meet(low[n], high[n]);
   }
@@ -68,6 +77,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
     return this.#range;
   }
 
+  /** Whether a brick was there once. */
+  isMeasured(brick: Brick): boolean {
+    return this.#measured.has(keyOfBrick(brick));
+  }
+
   /** Looks at a brick before it is shown. */
   measure(brick: Brick, { samples, low, high }: BrickSamples): void {
     this.#meet(low, high);
@@ -75,11 +89,14 @@ export class ResidentDetail implements HiddenValues, DetailField {
     if (this.#measured.has(key)) return;
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
     let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
-    for (let k = 1; k <= brickSide; k += stride)
+    let [shownLow, shownHigh] = [Infinity, -Infinity];
+    for (let k = 1, number = 0; k <= brickSide; k += stride)
       for (let j = 1; j <= brickSide; j += stride)
-        for (let i = 1; i <= brickSide; i += stride) {
-          const value = samples[i + slotSide * (j + slotSide * k)];
-          const voxel = [i, j, k].map((n, axis) => brick.at[axis] * brickSide + n - 0.5);
+        for (let i = 1; i <= brickSide; i += stride, number++) {
+          // Rays sample between voxels, too, where values differ less than at these.
+          const inSlot = [i, j, k].map((n, axis) => n + ((number * between[axis]) % 1)) as unknown as Vector3;
+          const value = interpolate(samples, slotDimensions, inSlot.map((n) => n / slotSide) as unknown as Vector3);
+          const voxel = inSlot.map((n, axis) => brick.at[axis] * brickSide + n - brickHalo);
           if (Number.isNaN(value) || voxel.some((n, axis) => n > dimensions[axis])) continue;
           const place = voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
           const shown = this.valueAt(...(place as [number, number, number]));
@@ -87,12 +104,16 @@ export class ResidentDetail implements HiddenValues, DetailField {
           count++;
           squares += (value - shown) ** 2;
           max = Math.max(max, Math.abs(value - shown));
+          [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
           const block = this.blockAt(...(place as [number, number, number]));
           before += this.#rmsAt(block) ** 2;
           steps = Math.max(1, this.#levelOf(block) - brick.level);
         }
+    // A single voxel is between the places; that it is there, the brick says.
+    if (count > 0) max = Math.max(max, high - shownHigh, shownLow - low);
     // Several octaves have the same detail each, as far as is known.
     const rms = Math.sqrt(squares / Math.max(1, count * steps));
+    if (rms > 0) this.#peaks[brick.level] = Math.max(this.#peaks[brick.level], max / (rms * Math.sqrt(steps)));
     this.#measured.set(key, { level: brick.level, rms, max, before: Math.sqrt(before / Math.max(1, count)) });
     this.#fine[brick.level] += rms ** 2 * count;
     this.#coarse[brick.level] += before;
@@ -147,7 +168,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   max(block: number, level: number): number {
     const { rms, max } = this.#known(block);
-    return rms > 0 ? Math.max(leastPeak, max / rms) * this.rms(block, level) : 0;
+    if (!(rms > 0)) return 0;
+    let peak = max / rms;
+    for (let octave = Math.min(level, this.#levelOf(block)) - 1; octave >= 0; octave--)
+      peak = Math.max(peak, this.#peaks[octave]);
+    return peak * this.rms(block, level);
   }
 
   low(): number {

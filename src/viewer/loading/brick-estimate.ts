@@ -1,5 +1,6 @@
 // What the bricks of a view bring to its picture.
-import { BrickGains } from '../../bricks/rank-bricks.ts';
+import type { Brick } from '../../bricks/pyramid.ts';
+import { BrickGains, probeBricks } from '../../bricks/rank-bricks.ts';
 import { seekDetail } from '../../bricks/estimate-detail.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { ResidentDetail } from '../../bricks/resident-detail.ts';
@@ -27,6 +28,8 @@ export interface BrickPicture {
 
 /** What was found. */
 export interface BrickEstimate {
+  /** Bricks that have to be looked at before `rms` can be relied on; those that follow them are not listed yet. */
+  readonly probes: readonly Brick[];
   readonly gains: BrickGains;
   /** The error that is left, 1/255: the root mean square over the rays that meet the volume. */
   readonly rms: number;
@@ -67,7 +70,8 @@ export function* estimateBricks(
     across,
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
-  return { gains, rms: yield* seekDetail(scene, gains) };
+  const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick));
+  return { gains, probes, rms: yield* seekDetail(scene, gains) };
 }
 
 /** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */

@@ -291,9 +291,13 @@ export class BrickView implements ViewPart {
         const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
         this.rms = found.rms;
         const isEnough = found.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
+        const probes = found.probes.filter((brick) => !loading.isRefused(brick));
         const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
         loading.want({
-          missing: isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick)),
+          missing: [
+            ...probes.map((brick) => ({ brick, gain: Infinity, bytes })),
+            ...(isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick))),
+          ],
           worth: (brick) => found.gains.worth(brick) / bytes,
         });
       }
