@@ -126,7 +126,7 @@ export async function startStaticServer({
     const path = readPath(request.url);
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers request it by themselves; a 404 would be a console message.
     else if (Object.hasOwn(made, path))
-      sendBytes(response, made[path](), path.endsWith('.html') ? TYPES['.html'] : undefined);
+      sendBytes(response, made[path](), /\.(html|js)$/.test(path) ? TYPES[extname(path)] : undefined);
     else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
     else if (pages.has(request.url ?? ''))
       response

@@ -6,7 +6,7 @@ export type {
   VolumeViewEventMap,
 } from '../components/internal/volume-view-events.ts';
 export type { RenderStats } from './viewer/model/render-stats.ts';
-export type { PictureError } from './quality/error-estimate.ts';
+export type { ErrorPart, ErrorParts, PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/model/volume-info.ts';
 export type {
   EarthPlace,

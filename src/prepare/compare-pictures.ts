@@ -3,6 +3,7 @@ import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { decodeFile } from '../formats/decode.ts';
 import { finishVolume } from '../formats/finish-volume.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
+import type { AppearanceSettings } from '../viewer/model/settings.ts';
 import type { LossyError, Volume } from '../volume/volume.ts';
 import { drawPoster } from './draw-poster.ts';
 import { encodePng } from './radar-mosaic.ts';
@@ -23,12 +24,21 @@ export async function comparePictures(
   manifest: object,
   size: number,
 ): Promise<LossyError> {
-  const after = await readBack(image, manifest);
+  return compareVolumes(before, await readBack(image, manifest), size);
+}
+
+/** The same for a changed volume that has been read. @param said - what a page says of the look */
+export async function compareVolumes(
+  before: Volume,
+  after: Volume,
+  size: number,
+  said?: AppearanceSettings,
+): Promise<LossyError> {
   // The window belongs to all scans.
   const { window } = after;
   const [{ pixels: a }, { pixels: b }] = [
-    await drawPoster({ ...before, window }, size, after),
-    await drawPoster(after, size),
+    await drawPoster({ ...before, window }, size, after, said),
+    await drawPoster(after, size, after, said),
   ];
   const worst: number[] = [];
   let squares = 0;
@@ -52,7 +62,7 @@ export async function comparePictures(
 }
 
 /** The volume as a view reads it. */
-async function readBack(image: GrayImage, manifest: object): Promise<Volume> {
+export async function readBack(image: GrayImage, manifest: object): Promise<Volume> {
   const files: Readonly<Record<string, Uint8Array<ArrayBuffer>>> = {
     'https://video.invalid/image.png': new Uint8Array(encodePng(image)),
     'https://video.invalid/scan.json': new TextEncoder().encode(JSON.stringify({ image: 'image.png', ...manifest })),

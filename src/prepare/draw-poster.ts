@@ -31,9 +31,15 @@ export interface Poster {
  * is not visible is skipped, by macrocells, and rays end where they are opaque; both change nothing that can be seen.
  * @param size - pixels across and down
  * @param framed - the volume that the camera shows in full: another one on the same grid, where two pictures are compared
+ * @param said - what a page says of the look; only what the float64 reference draws without more parts: no projection, no surfaces
  */
-export async function drawPoster(volume: Volume, size: number, framed = volume): Promise<Poster> {
-  const optics = await resolveAppearance(withDefaultLook(plainAppearance, volume), volume);
+export async function drawPoster(
+  volume: Volume,
+  size: number,
+  framed = volume,
+  said = plainAppearance,
+): Promise<Poster> {
+  const optics = await resolveAppearance(withDefaultLook(said, volume), volume);
   const { grid, range } = volume;
   const camera = frameVolume(framed, optics.transferFunction);
   const rays = setUpRays(grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));

@@ -1,6 +1,21 @@
+/** What one cause leaves in a picture, in 1/255: see `PictureError`. */
+export interface ErrorPart {
+  readonly rms: number;
+  readonly p99: number;
+  /** null where no bound is known. */
+  readonly max: number | null;
+}
+
+/** What each cause leaves, where there are several: all are in `rms`, `p99` and `max` of the picture's error. Its `probed` and `rays` are of the steps alone. */
+export interface ErrorParts {
+  readonly steps: ErrorPart;
+  /** What a video lost, see `volume.lossy`: estimated for the present transfer function. */
+  readonly lossy?: ErrorPart;
+}
+
 /**
  * How far a picture is from its converged limit, in 1/255 of the full range. Only pixels that the volume covers count,
- * not those around it.
+ * not those around it. Where `parts` are there, it is how far the picture is from that of the data before they were changed.
  */
 export interface PictureError {
   /** Root mean square over those pixels and the four premultiplied channels. */
@@ -19,6 +34,8 @@ export interface PictureError {
    * share of 3 / `rays` of all pixels differs by more than `probed`.
    */
   readonly rays: number;
+  /** Set where more than the steps changes the picture. */
+  readonly parts?: ErrorParts;
 }
 
 /** An error estimate from some of a picture's rays. */

@@ -31,6 +31,7 @@ const programs = [
   'folder',
   'bricks',
   'video',
+  'video-looks',
   'video-loops',
   'prepare-peers',
 ];

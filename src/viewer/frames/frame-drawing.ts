@@ -65,7 +65,7 @@ export class FrameDrawing {
     const isKnown = quick || this.quality.error !== null;
     if (isKnown) this.#notify(stats);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && controller.scene === scene;
-    const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
+    const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn, volume }));
     if (!isKnown || (quick && atRest && !again)) this.#notify(stats);
     return again || inMotion;
   }

@@ -8,6 +8,7 @@ import { autoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { FrameTimer } from '../../quality/time-model.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import { loadPart } from '../../core/load-part.ts';
+import type { DrawnView } from '../model/drawn-view.ts';
 import { defaultTargets } from '../model/quality-targets.ts';
 import type { QualityTargets } from '../model/quality-targets.ts';
 import type { Scene, Size } from '../model/scene.ts';
@@ -20,13 +21,9 @@ function loadTools(): Promise<typeof viewQuality> {
 }
 
 /** A view whose error is probed. */
-export interface Probed {
+export interface Probed extends Pick<DrawnView, 'volume' | 'size' | 'goesOn'> {
   /** The plan with which it was drawn. */
   readonly plan: FrameQuality;
-  /** Pixels across and down of the picture in full. */
-  readonly size: Size;
-  /** Whether the view is still needed. */
-  readonly goesOn: () => boolean;
 }
 
 /** The planned share of a frame's time: the rest is for the page, and for frames that take longer. */
@@ -210,10 +207,11 @@ export class QualityControl {
    * Probe the error of the view that has just been drawn. The page can work between one level and the next.
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
+  async probe(scene: Scene, grid: GridFrame, probed: Probed): Promise<boolean> {
     const { ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
-    if (!goesOn()) return false;
-    const drawn = { scene, grid, size, goesOn };
+    if (!probed.goesOn()) return false;
+    const { plan } = probed;
+    const drawn = { ...probed, scene, grid };
     const view = new ViewQuality(drawn, this.#targets);
     if (this.undecided) {
       const found = await view.choose();

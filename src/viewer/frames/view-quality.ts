@@ -69,8 +69,22 @@ export class ViewQuality {
    * @returns null where the view is no longer needed
    */
   async choose(): Promise<ChosenLevel | null> {
-    if (!this.asked.isFree) return this.chooseUsual();
-    return (await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')).chooseFree(this, measuringTools);
+    const { isFree } = this.asked;
+    return this.#withLoss(
+      isFree
+        ? await (
+            await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')
+          ).chooseFree(this, measuringTools)
+        : await this.chooseUsual(),
+    );
+  }
+
+  /** What a lossy form of the volume leaves in its pictures is part of their error, but decides no level. */
+  async #withLoss<T extends QualityFinding>(found: T | null): Promise<T | null> {
+    const { volume, scene } = this.view;
+    if (!found || !volume?.lossy) return found;
+    const part = await loadPart(import('./lossy-quality.ts'), 'bounds errors');
+    return part.includeLoss(found, volume, scene.whatIsSeen(), this.asked.maxError);
   }
 
   /** The same where nothing small may be lost. */
@@ -114,7 +128,7 @@ export class ViewQuality {
   async measure(level: Level): Promise<QualityFinding | null> {
     if (level.steps > maxAutoSteps) return null;
     await loadSubsteps(); // Steps longer than a voxel are compared with steps that are cut.
-    return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
+    return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#withLoss(await this.#state(level)) : null;
   }
 
   /** If rounding alone exceeds the target, the error is compared without rounding: more steps could not help. */

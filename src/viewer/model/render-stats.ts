@@ -23,12 +23,12 @@ export interface RenderStats {
   readonly converged: boolean;
   /**
    * How far the pixels that the volume covers differ from a picture with infinitely many steps, in 1/255: estimated on the GPU
-   * from this same view. null while moving, and where the device can't measure it.
+   * from this same view. What a video lost is in it, where its manifest says that. null while moving, and where the device can't measure it.
    */
   readonly error: PictureError | null;
   /**
    * Whether that error is within `max-error`. Where it is not, more steps would not help: `max-error` is smaller than 8 bits show,
-   * or would need more than 4,096 steps; or the author gives `steps`; or no pixel of the volume shows anything, see
+   * or would need more than 4,096 steps; or the author gives `steps`; or a video lost more than that; or no pixel of the volume shows anything, see
    * `picture-blank`. null where `error` is null.
    */
   readonly keepsMaxError: boolean | null;
