@@ -16,11 +16,12 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
  * @property {string} [after] - the part whose files it reads, or which reads files that it changes
  * @property {boolean} [browser] - whether it runs a browser that keeps all cores busy
  * @property {boolean} [retries] - whether it tries its own tests once more
- * @property {boolean} [last] - whether it runs when all others have ended
+ * @property {boolean} [waits] - whether it mostly waits, and so takes no core from another part
+ * @property {string} [option] - of `npm test`, without which it does not run
  */
 
 /** @type {Part[]} */
-const parts = [
+const allParts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
   { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
@@ -39,6 +40,14 @@ const parts = [
     args: ['scripts/docs.mjs', '--check'],
     counts: false,
     after: 'Build: dist stays whole meanwhile',
+  },
+  // First of those that wait for the build, as it takes longest.
+  {
+    title: 'Apps of bundlers and frameworks',
+    args: ['test/bundlers/run.mjs'],
+    counts: true,
+    option: '--bundlers',
+    after: 'Docs: the reference is what the code says',
   },
   { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },
   // The check of the reference writes the manifest of the elements again, and the package contains that file.
@@ -70,6 +79,7 @@ const parts = [
     title: "A radar's folder",
     args: ['test/package/prepare-watch.mjs'],
     counts: true,
+    waits: true, // 9 seconds of a processor in 40.
     after: 'Build: dist stays whole meanwhile',
   },
   {
@@ -120,6 +130,14 @@ const parts = [
     counts: true,
     after: 'Docs: the reference is what the code says',
   },
+  {
+    title: 'Smoke test in three engines',
+    args: ['test/engines/run.mjs'],
+    counts: true,
+    option: '--engines',
+    after: 'Build: dist stays whole meanwhile',
+  },
+  // The last of these: it fills all cores when no other part is left.
   { title: 'Unit tests in Node', args: ['scripts/test-fast.mjs'], counts: true },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
   {
@@ -130,14 +148,7 @@ const parts = [
     retries: true,
   },
 ];
-
-if (process.argv.includes('--engines')) {
-  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, last: true });
-}
-
-if (process.argv.includes('--bundlers')) {
-  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true, last: true });
-}
+const parts = allParts.filter(({ option }) => !option || process.argv.includes(option));
 
 /** Minutes that a part may take, several times what it takes on a busy machine: one that waits for ever is ended, and its output shown. */
 const LONGEST = { browser: 30, other: 10 };
@@ -238,19 +249,24 @@ const ended = new Map();
 /**
  * Run parts, each one after the part that its `after` names.
  * @param {Part[]} waiting
- * @param {number} atOnce - maximum number of parts that run at the same time
+ * @param {number} atOnce - maximum number of parts that run at the same time, except those that wait
  */
 async function runParts(waiting, atOnce) {
   /** @type {Set<Promise<void>>} */
   const running = new Set();
-  const mayStart = (/** @type {Part} */ { after }) => !after || [...ended.keys()].some(({ title }) => title === after);
+  let busy = 0;
+  const mayStart = (/** @type {Part} */ { after, waits }) =>
+    (waits || busy < atOnce) && (!after || [...ended.keys()].some(({ title }) => title === after));
   while (waiting.length + running.size > 0) {
-    const next = running.size < atOnce ? waiting.find(mayStart) : undefined;
+    const next = waiting.find(mayStart);
     if (next) {
       waiting = waiting.filter((part) => part !== next);
+      const cores = next.waits ? 0 : 1;
+      busy += cores;
       const run = runPart(next).then((end) => {
         ended.set(next, end);
         running.delete(run);
+        busy -= cores;
       });
       running.add(run);
     } else await Promise.race(running);
@@ -259,17 +275,12 @@ async function runParts(waiting, atOnce) {
 
 // Parts without such a browser mostly use one thread: run two at a time.
 await runParts(
-  parts.filter(({ browser, last }) => !browser && !last),
+  parts.filter(({ browser }) => !browser),
   2,
 );
 await runParts(
   parts.filter(({ browser }) => browser),
   1,
-);
-// Engines start one after the other, and most bundlers use one thread.
-await runParts(
-  parts.filter(({ last }) => last),
-  2,
 );
 
 let passed = 0;

@@ -48,7 +48,7 @@ export async function openUrl(url, use, prepare) {
   });
   page.on('request', (request) => app.paths.push(new URL(request.url()).pathname));
   page.on('worker', (worker) => app.workers.push(worker.url()));
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(120_000);
   try {
     await prepare?.(page);
     await page.goto(url);

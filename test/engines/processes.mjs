@@ -57,7 +57,7 @@ export async function startScreen() {
     });
     child.once('error', reject);
     child.once('exit', (code) => reject(new Error(`Xvfb ended at once with ${code}`)));
-    setTimeout(() => reject(new Error('Xvfb did not start within 20 s')), 20_000).unref();
+    setTimeout(() => reject(new Error('Xvfb did not start within 60 s')), 60_000).unref();
   });
   return { display: `:${number}`, close: () => stopProcess(child) };
 }

@@ -4,13 +4,18 @@ import { createServer } from 'node:http';
 import { extname } from 'node:path';
 import { decode } from 'fast-png';
 
+/** Milliseconds that something in a page may be late on a machine that has other work. */
+export const longestWait = 120_000;
+
 /**
  * @param {import('@playwright/test').Browser} browser
  * @param {string} allowed - how the addresses begin that a page may ask for
  * @returns {Promise<{ page: import('@playwright/test').Page, problems: string[] }>} with what the console says, requests elsewhere, and those that fail
  */
 export async function openLessonPage(browser, allowed) {
-  const context = await browser.newContext({ viewport: { width: 480, height: 700 } });
+  // Half a pixel a CSS pixel has a quarter of the rays.
+  const context = await browser.newContext({ viewport: { width: 480, height: 700 }, deviceScaleFactor: 0.5 });
+  context.setDefaultTimeout(longestWait);
   const page = await context.newPage();
   /** @type {string[]} */
   const problems = [];

@@ -217,7 +217,7 @@ await check(
       [[folder, '--out', join(work, 'one'), '--watch', '--newest', '0'], /whole number from 1 to 1000/],
       [[folder, '--out', join(work, 'one'), '--watch', '--every', '0'], /seconds from 0.1/],
     ])) {
-      const { status, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8', timeout: 20_000 });
+      const { status, stderr } = spawnSync(process.execPath, [program, ...args], { encoding: 'utf8', timeout: 60_000 });
       assert.equal(status, 1, args.join(' '));
       assert.match(stderr, words);
     }

@@ -29,7 +29,8 @@ export function preparePythonTests(name, packages, timeout) {
       env: {
         ...process.env,
         PYTHONPATH: join(folder, 'src'),
-        PYTHONDONTWRITEBYTECODE: '1',
+        // Nothing is left in the checkout, and what is imported is compiled once.
+        PYTHONPYCACHEPREFIX: join(work, 'compiled'),
         PYTHONWARNINGS: 'ignore',
       },
     });
@@ -43,7 +44,9 @@ export function preparePythonTests(name, packages, timeout) {
     const made = run('python3', ['-m', 'venv', join(work, 'venv')]);
     if (made.status !== 0) return null;
     const python = join(work, 'venv/bin/python');
-    const installed = run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', ...packages]);
+    // Of all that the packages have, the tests import little: without --no-compile, compiling the rest takes 24 of 61 seconds of a processor.
+    const options = ['--quiet', '--disable-pip-version-check', '--no-compile'];
+    const installed = run(python, ['-m', 'pip', 'install', ...options, ...packages]);
     return installed.status === 0 ? python : null;
   };
   const python = findPython();

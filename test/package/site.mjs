@@ -124,6 +124,7 @@ const browser = await chromium.launch({ executablePath: await findBrowser(), arg
 /** @param {import('@playwright/test').BrowserContextOptions} [options] */
 async function newPage(options) {
   const page = await browser.newPage(options);
+  page.setDefaultTimeout(120_000);
   /** @type {string[]} */
   const problems = [];
   page.on('console', (message) => {
@@ -139,7 +140,7 @@ const shareShown = (frame) =>
   frame.evaluate(async () => {
     /** @type {any} */
     const view = document.querySelector('volume-view, volume-slice-view');
-    const late = new Promise((_, reject) => setTimeout(() => reject(new Error('no picture in 60 s')), 60_000));
+    const late = new Promise((_, reject) => setTimeout(() => reject(new Error('no picture in 120 s')), 120_000));
     const shown = customElements.whenDefined(view.localName).then(() => view.whenRendered());
     await Promise.race([shown, late]);
     if (view.localName === 'volume-slice-view') return 1;
@@ -259,7 +260,6 @@ const live = blocks.filter(({ name, reason, code }) => !reason && !elsewhere.tes
 const opened = process.argv.includes('--all') ? live : live.filter(({ name }) => name.endsWith(' 1'));
 await check('the first live example of every other page has something in its picture, and no error', async () => {
   const { page, problems } = await newPage({ viewport: { width: 320, height: 560 }, deviceScaleFactor: 0.5 });
-  page.setDefaultTimeout(30_000);
   const wrong = [];
   for (const { code, name } of opened) {
     made['/examples/page.html'] = () =>

@@ -129,7 +129,7 @@ class Runs(Archive):
         write_niftis(self.folder, 60)
         run = self.start()
         self.addCleanup(run.kill)
-        until = time.monotonic() + 60
+        until = time.monotonic() + LIMIT
         # A batch is written down, and others are not.
         journal = self.work / "site.private/journal.jsonl"
         while not journal.exists() or '"unit"' not in journal.read_text():
@@ -254,7 +254,7 @@ class Watched(Archive):
             self.assertEqual(len(scans_in(self.site)), 3)
 
     def wait_for_folders(self, count):
-        until = time.monotonic() + 20
+        until = time.monotonic() + LIMIT
         found = None
         while found != count:
             self.assertLess(time.monotonic(), until, f"{found} folders")
@@ -263,7 +263,7 @@ class Watched(Archive):
                 found = len(scans_in(self.site))
 
     def wait_for(self, minutes):
-        until = time.monotonic() + 40
+        until = time.monotonic() + LIMIT
         found = None
         while found != minutes:
             self.assertLess(time.monotonic(), until, f"{found}, expected {minutes}")
