@@ -100,10 +100,11 @@ export async function findBrowser() {
 
 /**
  * Features of Chromium that we disable. Each window would load the suggestions of its invisible address bar, twice, in a process of its
- * own: more than half of the work of opening a page. This switch replaces the one of Playwright, so the list repeats Playwright's features.
+ * own: more than half of the work of opening a page. A process for the next page, which is started with each page and ends with it unused,
+ * takes as much as the one that shows an empty page. This switch replaces the one of Playwright, so the list repeats Playwright's features.
  */
 const disabledFeatures = [
-  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
+  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'SpareRendererForSitePerProcess'],
   ...[
     'AvoidUnnecessaryBeforeUnloadCheckSync',
     'DestroyProfileOnBrowserClose',

@@ -151,7 +151,7 @@ test.describe('authoring', () => {
     await open(page, view(`<volume-labels src="${folder}/atlas.nii" table="${folder}/dseg.tsv"></volume-labels>`));
     await expect(async () => {
       await clickAt(page, 30, 10);
-      await expect(panel(page).getByRole('checkbox')).toHaveCount(1, { timeout: 2000 });
+      await expect(panel(page).getByRole('checkbox')).toHaveCount(1, { timeout: 10_000 });
     }).toPass();
     const [id, label] = (await name(page).inputValue()) === 'Right side' ? ['3', 'Right side'] : ['7', 'Left side'];
     expect(await parse(page)).toEqual({ position: expect.any(String), label });
@@ -180,7 +180,7 @@ test.describe('authoring', () => {
     await expect(async () => {
       for (const [x, y] of [0, 20, -20, 40, -40].flatMap((x) => [10, 30, 50].map((y) => [x, y]))) {
         await clickAt(page, x, y);
-        await expect(status(page)).not.toHaveText('', { timeout: 5000 });
+        await expect(status(page)).not.toHaveText('');
         if ((await tag(page).count()) > 0) return;
       }
       throw new Error('nothing is seen');

@@ -79,7 +79,7 @@ for (const [name, [html, word]] of Object.entries(blank))
     await serve(page);
     await open(page, html, size);
     await settle(page);
-    await expect.poll(() => note(page), { timeout: 10_000 }).toMatch(word);
+    await expect.poll(() => note(page)).toMatch(word);
     const said = await withElement(page, ({ renderStats, shadowRoot }) => ({
       keeps: renderStats!.keepsMaxError,
       role: shadowRoot!.querySelector('.blank')!.getAttribute('role'),
@@ -163,7 +163,7 @@ test('scans that play may be empty; one at which they stop says so', async ({ pa
   await settle(page);
   await expect.poll(() => note(page)).toMatch(/^Nothing/);
   await withElement(page, (element) => void element.play());
-  await expect.poll(() => note(page), { timeout: 10_000 }).toBe('');
+  await expect.poll(() => note(page)).toBe('');
   await withElement(page, (element) => element.pause());
-  await expect.poll(() => note(page), { timeout: 10_000 }).toMatch(/^Nothing/);
+  await expect.poll(() => note(page)).toMatch(/^Nothing/);
 });

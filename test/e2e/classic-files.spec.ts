@@ -6,7 +6,9 @@ import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { ctSlice, dicomBytes } from '../helpers/dicom-bytes.ts';
 import { jpegStreams } from '../helpers/jpeg-streams.ts';
-import { ballUrl, expect, open, settle, test, withElement } from './helpers/harness.ts';
+import { ballUrl, expect, fewPixels, open, settle, test, withElement } from './helpers/harness.ts';
+
+test.use(fewPixels);
 
 const dist = join(projectRoot, 'dist');
 const isDocumented = (path: string): boolean =>

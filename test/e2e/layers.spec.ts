@@ -163,9 +163,7 @@ test('where a file has no such moment its picture comes to rest, and that is rep
         view.addEventListener('render', () => (view.renders = (view.renders ?? 0) + 1)),
       );
     await expect
-      .poll(() => page.locator('volume-view').evaluate((view: VolumeView) => view.renderStats?.converged), {
-        timeout: 30_000,
-      })
+      .poll(() => page.locator('volume-view').evaluate((view: VolumeView) => view.renderStats?.converged))
       .toBe(true);
     const before = await renders();
     await page.waitForTimeout(500);

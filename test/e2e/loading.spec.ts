@@ -4,6 +4,7 @@ import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import {
   compare,
   expect,
+  fewPixels,
   open,
   seenEvents,
   setAttributes,
@@ -17,6 +18,8 @@ import { largeEdge, loadLump, meanAlpha, plain, watchPieces } from './helpers/lu
 import type { Watch } from './helpers/lump.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
+
+test.use(fewPixels);
 
 test.beforeEach(async ({ page }) => {
   await page.addInitScript(countGpuBytes);

@@ -257,7 +257,5 @@ test('has the value of one gate of a radar in each of three scans, as the pixels
   const read = async (): Promise<unknown[]> =>
     (await tableOf(page)).map(([time, value]) => [/15:[012]0/.exec(time)?.[0], Number.parseFloat(value)]);
   // One scan is opened after another.
-  await expect
-    .poll(read, { timeout: 30_000 })
-    .toEqual(times.map((time) => [`15:${time.slice(2)}`, gateOf(time, found!.gate)]));
+  await expect.poll(read).toEqual(times.map((time) => [`15:${time.slice(2)}`, gateOf(time, found!.gate)]));
 });

@@ -305,7 +305,7 @@ test('a view is picked, turned, zoomed and pointed at by its own pixels, and so 
         [60, 40],
       ]);
       await page.mouse.click(...place);
-      await page.waitForFunction(() => (window as never as { picked: unknown }).picked, undefined, { timeout: 10_000 });
+      await page.waitForFunction(() => (window as never as { picked: unknown }).picked);
       const picked = await page.evaluate(() => (window as never as { picked: { world: number[] } }).picked.world);
       await page.mouse.move(place[0] + 1, place[1]);
       await page.mouse.move(...place);

@@ -9,7 +9,7 @@ import { expect, open, settle, takePicture, test } from './helpers/harness.ts';
 // The picture that `volume-view-prepare` draws in Node is the one that a page shows.
 
 const folder = join(import.meta.dirname, '../../demos/data');
-const size = 128;
+const size = 64;
 
 async function readVolume(name: string): Promise<Volume> {
   const store = new FolderStore(folder, { only: [name, name.replace('.json', '.png')] });

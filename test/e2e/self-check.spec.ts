@@ -4,6 +4,7 @@ import type { PictureCheck } from '../../src/quality/compare-rays.ts';
 import { openDemo } from './helpers/demo.ts';
 import {
   expect,
+  fewPixels,
   fieldUrl,
   keptTest as test,
   open,
@@ -11,6 +12,8 @@ import {
   test as newPageTest,
   withElement,
 } from './helpers/harness.ts';
+
+test.use(fewPixels);
 
 const shown = 'style="width: 120px; height: 90px" alt="What is shown"';
 const mri = '/demos/data/mni152-t1.nii.gz';
@@ -94,7 +97,7 @@ const watched = `<volume-view src="${fieldUrl}" self-check ${shown}></volume-vie
 newPageTest('a GPU that draws wrong is reported, and the picture stays', async ({ page }) => {
   await page.addInitScript(breakGpu);
   await open(page, watched);
-  await expect.poll(async () => (await reported(page)).code, { timeout: 30_000 }).toBe('webgl/inaccurate');
+  await expect.poll(async () => (await reported(page)).code).toBe('webgl/inaccurate');
   const { message, checks } = await reported(page);
   expect(message).toMatch(
     /graphics processor .* draws the volume wrong: \d+ of 24 rays .* are off, by up to \d+ of 255/,
@@ -113,12 +116,12 @@ newPageTest('a GPU that draws wrong is reported, and the picture stays', async (
 
 newPageTest('with self-check each picture at rest is checked, and a good one is no error', async ({ page }) => {
   await open(page, watched);
-  await expect.poll(async () => (await reported(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  await expect.poll(async () => (await reported(page)).checks.length).toBeGreaterThan(0);
   await withElement(page, (element) => {
     (element as unknown as { checks: PictureCheck[] }).checks = [];
     element.cameraOrbit = '120deg 60deg auto';
   });
-  await expect.poll(async () => (await reported(page)).checks.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  await expect.poll(async () => (await reported(page)).checks.length).toBeGreaterThan(0);
   const { checks, code, message } = await reported(page);
   expect(checks.every(({ agrees, off }) => agrees && off === 0)).toBe(true);
   expect(code).toBeUndefined();
@@ -127,11 +130,10 @@ newPageTest('with self-check each picture at rest is checked, and a good one is 
 
 newPageTest('the page of error against time says whether its device draws right', async ({ page }) => {
   await openDemo(page, 'trade.html', '.trade { grid-template-columns: repeat(3, 200px) !important }');
-  await expect(page.locator('#found')).toContainText('differs', { timeout: 30_000 });
+  await expect(page.locator('#found')).toContainText('differs');
   await page.locator('#check').click();
   await expect(page.locator('#checked')).toContainText(
     /^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/,
-    { timeout: 30_000 },
   );
 });
 

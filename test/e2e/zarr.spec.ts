@@ -7,7 +7,9 @@ import type { PyramidCase, ZarrFiles } from '../helpers/zarr-bytes.ts';
 import { startZarr } from '../helpers/zarr-server.ts';
 import type { ZarrFaults, ZarrServer } from '../helpers/zarr-server.ts';
 import { zipBytes } from '../helpers/zip-bytes.ts';
-import { expect, networkLines, open, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, fewPixels, networkLines, open, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+
+test.use(fewPixels);
 
 // What is not there, and what failed, is a line of the browser's own.
 test.use({ allowedLines: networkLines });

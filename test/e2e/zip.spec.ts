@@ -7,7 +7,9 @@ import type { FrameLocator, Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, test } from './helpers/harness.ts';
+import { expect, fewPixels, fieldUrl, open, settle, takePicture, test } from './helpers/harness.ts';
+
+test.use(fewPixels);
 
 /** Unpack what `npm run zip` makes. */
 function unpackInto(folder: string): string[] {

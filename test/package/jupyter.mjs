@@ -12,7 +12,7 @@ const packages = [
 ];
 
 if (existsSync(join(projectRoot, 'packages/prepare/dist/volume-view-prepare.js'))) buildJupyter();
-const run = preparePythonTests('jupyter', packages, 180_000);
+const run = preparePythonTests('jupyter', packages, 400_000);
 if (!run)
   console.log(
     'left out: the tests of the widget for notebooks; there is no Python 3 with venv, or its packages can not be had',

@@ -10,11 +10,11 @@ export const longestWait = 120_000;
 /**
  * @param {import('@playwright/test').Browser} browser
  * @param {string} allowed - how the addresses begin that a page may ask for
+ * @param {number} [deviceScaleFactor] - 0.5 has a quarter of the rays; a frame of another origin does not follow it
  * @returns {Promise<{ page: import('@playwright/test').Page, problems: string[] }>} with what the console says, requests elsewhere, and those that fail
  */
-export async function openLessonPage(browser, allowed) {
-  // Half a pixel a CSS pixel has a quarter of the rays.
-  const context = await browser.newContext({ viewport: { width: 480, height: 700 }, deviceScaleFactor: 0.5 });
+export async function openLessonPage(browser, allowed, deviceScaleFactor = 1) {
+  const context = await browser.newContext({ viewport: { width: 480, height: 700 }, deviceScaleFactor });
   context.setDefaultTimeout(longestWait);
   const page = await context.newPage();
   /** @type {string[]} */

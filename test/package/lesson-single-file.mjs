@@ -120,7 +120,7 @@ const onDisk = pathToFileURL(join(work, 'lesson-single.html')).href;
 for (const address of [`${origin}/page/index.html`, served, onDisk]) {
   const isPage = address.includes('/page/');
   await check(`Chromium: ${isPage ? 'the page' : address === served ? 'from a server' : 'from disk'}`, async () => {
-    const { page, problems } = await openLessonPage(browser, isPage ? origin : address);
+    const { page, problems } = await openLessonPage(browser, isPage ? origin : address, 0.5);
     await page.goto(address);
     for (const [i, view] of views.entries()) {
       const picture = await pictureOf(page, view);

@@ -151,7 +151,7 @@ const { origin, close } = await serveFiles((address) => {
 });
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listTestArgs() });
 
-const newPage = () => openLessonPage(browser, origin);
+const newPage = () => openLessonPage(browser, origin, 0.5);
 
 /** @type {ReturnType<typeof import('fast-png').decode> | null} */
 let asPage = null;
