@@ -14,7 +14,7 @@ import { withScene } from '../../../helpers/picture.ts';
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;
 const soft = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!.transferFunction;
 
-const size = { width: 240, height: 180 };
+const size = { width: 120, height: 90 };
 const pixels = size.width * size.height;
 
 /** All pixels at full size, each with its own ray. */
