@@ -3,17 +3,20 @@ import { findSharedData } from '../../scripts/shared-data.mjs';
 import type { ErrorDetail } from '../../src/index.ts';
 import {
   expect,
+  fewPixels,
+  keptTest as test,
   open,
   setAttributes,
   settle,
   sharePage,
   takePicture,
-  keptTest as test,
   test as newPageTest,
   waitForEvent,
   withElement,
 } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
+
+test.use(fewPixels);
 
 const fixtures: Record<string, { url: string; format: RegExp; moments: number; rms?: number }> = {
   ODIM_H5: { url: '/test/fixtures/radar/odim-2.2.h5', format: /^ODIM_H5 2\.2/, moments: 1 },

@@ -6,7 +6,9 @@ import { unzipSync } from 'fflate';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { dicomHead, dicomSecret } from '../helpers/dicom-head.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, test } from './helpers/harness.ts';
+import { expect, fewPixels, test } from './helpers/harness.ts';
+
+test.use(fewPixels);
 
 const address = '/packages/studio/dist/index.html';
 
