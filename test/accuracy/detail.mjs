@@ -19,7 +19,7 @@ export async function run({ quick }) {
     );
   }
   const quantile = (/** @type {number[]} */ all, /** @type {number} */ share) =>
-    [...all].sort((a, b) => a - b)[Math.min(all.length - 1, Math.floor(share * all.length))];
+    all.toSorted((a, b) => a - b)[Math.min(all.length - 1, Math.floor(share * all.length))];
   const rows = [...new Set(views.map(({ field }) => field)), 'all'].map((name) => {
     const own = views.filter(({ field, true: truth }) => (name === 'all' || field === name) && truth.rms >= seen);
     const ratios = own.map(({ said, true: truth }) => said / truth.rms);
