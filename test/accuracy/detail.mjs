@@ -18,8 +18,11 @@ export async function run({ quick }) {
       `${field}, look ${look}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
     );
   }
-  const quantile = (/** @type {number[]} */ all, /** @type {number} */ share) =>
-    all.toSorted((a, b) => a - b)[Math.min(all.length - 1, Math.floor(share * all.length))];
+  const quantile = (/** @type {number[]} */ all, /** @type {number} */ share) => {
+    const sorted = [...all];
+    sorted.sort((a, b) => a - b);
+    return sorted[Math.min(all.length - 1, Math.floor(share * all.length))];
+  };
   const rows = [...new Set(views.map(({ field }) => field)), 'all'].map((name) => {
     const own = views.filter(({ field, true: truth }) => (name === 'all' || field === name) && truth.rms >= seen);
     const ratios = own.map(({ said, true: truth }) => said / truth.rms);
