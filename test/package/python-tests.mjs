@@ -29,8 +29,9 @@ export function preparePythonTests(name, packages, timeout) {
       env: {
         ...process.env,
         PYTHONPATH: join(folder, 'src'),
-        // Nothing is left in the checkout, and what is imported is compiled once.
+        // Nothing is left in the checkout, and what is imported is compiled once, also where the machine asks Python not to keep that.
         PYTHONPYCACHEPREFIX: join(work, 'compiled'),
+        PYTHONDONTWRITEBYTECODE: '',
         PYTHONWARNINGS: 'ignore',
       },
     });
