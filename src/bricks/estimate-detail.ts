@@ -57,18 +57,23 @@ const correlated = 0.5;
 export function estimateDetail(scene: DetailScene, cells: number): DetailEstimate {
   const { levels } = scene.field;
   const gains = new Float64Array(cells * levels);
-  const rms = atOnce(seekDetail(scene, { gain: (cell, level, energy) => (gains[cell * levels + level] += energy) }));
+  const { rms } = atOnce(
+    seekDetail(scene, { gain: (cell, level, energy) => (gains[cell * levels + level] += energy) }),
+  );
   return { gains, rms };
 }
 
 /**
  * The same, with a pause after each row of rays.
- * @returns the root mean square of the differences over the rays that meet the volume, in 1/255
+ * @returns the differences over the rays that meet the volume, in 1/255: their root mean square, and what 99 % of the rays stay below
  */
-export function* seekDetail(scene: DetailScene, listener: DetailListener): Waiting<number> {
+export function* seekDetail(
+  scene: DetailScene,
+  listener: DetailListener,
+): Waiting<{ readonly rms: number; readonly p99: number }> {
   const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
   const tracer = traceRays(scene, listener.loss ? 1 : 0);
-  let [energy, covered] = [0, 0];
+  const energies: number[] = [];
   for (let row = 0; row < across; row++) {
     for (let column = 0; column < across; column++) {
       const ray = rayThrough(rays, ((column + shift[0]) / across) * 2 - 1, 1 - ((row + shift[1]) / across) * 2);
@@ -77,12 +82,15 @@ export function* seekDetail(scene: DetailScene, listener: DetailListener): Waiti
       if (!(exit > entry)) continue;
       const seen = tracer(ray, entry, exit, step / ray.lengthPerT);
       if (!seen) continue;
-      covered++;
-      energy += addGains(seen, field.levels, listener);
+      energies.push(addGains(seen, field.levels, listener));
     }
     yield;
   }
-  return 255 * Math.sqrt(energy / Math.max(1, 4 * covered));
+  const sum = energies.reduce((a, b) => a + b, 0);
+  energies.sort((a, b) => a - b);
+  const p99 = energies[Math.floor(0.99 * energies.length)] ?? 0;
+  // All of a ray's difference may be in one channel.
+  return { rms: 255 * Math.sqrt(sum / Math.max(1, 4 * energies.length)), p99: Math.min(255, 255 * Math.sqrt(p99)) };
 }
 
 /** What one ray says: for each cell that it meets, and each level up to its present one, its bias and its variance. */

@@ -35,6 +35,7 @@ export class ResidentBricks implements FinerVoxels {
   readonly changes = { pages: 0, cells: 0 };
   /** Whether the present view gets more of them. */
   moving = false;
+  error: FinerVoxels['error'] = null;
   /** Slots that there may be, and slots for which the GPU has memory. */
   capacity = Infinity;
   maxSlots = Infinity;

@@ -11,6 +11,8 @@ export interface ErrorParts {
   readonly steps: ErrorPart;
   /** What a video lost, see `volume.lossy`: estimated for the present transfer function. */
   readonly lossy?: ErrorPart;
+  /** What the bricks of a pyramid hide that are not there, see `max-gpu-bytes`: estimated from those that are. */
+  readonly detail?: ErrorPart;
 }
 
 /**

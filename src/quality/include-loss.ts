@@ -58,18 +58,18 @@ export function changeOfColors(
 
 /**
  * What a lossy form leaves in a picture of the present colours: what was measured when it was made, times how much more the present colours change with the same error of
- * values than those of then. No bound of the largest error is known, as a few small pictures were compared; but there is none where no value changed.
- * @param then - the colours of the pictures that were compared
+ * values than the colours of those pictures. No bound of the largest error is known, as a few small pictures were compared; but there is none where no value changed.
+ * @param made - the colours of the pictures that were compared when the form was made
  * @returns null where no pictures were compared
  */
 export function scaleLoss(
   lossy: Lossy,
   values: ShownValues,
-  { now, then }: { readonly now: ColorsOfValues; readonly then: ColorsOfValues },
+  { now, made }: { readonly now: ColorsOfValues; readonly made: ColorsOfValues },
 ): ErrorPart | null {
   const { rms, max, picture } = lossy;
   if (!picture) return null;
-  const before = changeOfColors(then, values, rms);
+  const before = changeOfColors(made, values, rms);
   const times = before > 0 ? changeOfColors(now, values, rms) / before : 1;
   const scaled = (error: number): number => Math.min(255, times * error);
   return { rms: scaled(picture.rms), p99: scaled(picture.p99), max: max === 0 ? 0 : null };

@@ -27,6 +27,8 @@ export interface FinerVoxels {
   readonly grid: GridFrame;
   /** Whether more of them are on their way for the present view: pictures are not final. */
   readonly moving: boolean;
+  /** What the voxels that are not there leave in the present picture, in 1/255, as far as it is known: see `ErrorPart`. */
+  readonly error: { readonly rms: number; readonly p99: number; readonly max: number | null } | null;
   /** The volume with the macrocells of now: another object if they have changed since the last call, so that what is made of them is made again. */
   current<V extends { readonly macrocells: Macrocells }>(volume: V): V;
   /** The stored value at a place of the unit cube, of the volume itself where nothing finer is there; NaN for no data. */

@@ -22,6 +22,9 @@ import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 /** Voxels along each axis, of which a level of a quarter is always there. */
 const edge = 192;
 
+/** Values of `max-error`. */
+const errors = [8, 4, 2, 1];
+
 /** Bricks that come at once. */
 const turn = 16;
 
@@ -67,6 +70,7 @@ const looks = [
 export interface DetailView {
   readonly field: string;
   readonly look: number;
+  readonly maxError: number;
   /** Share of all bricks. */
   readonly share: number;
   readonly said: number;
@@ -102,11 +106,12 @@ function measureView(field: string, whole: Volume, random: () => number): Detail
   const bricked = cutIntoBricks(whole, 3, () => false);
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   const estimate = () => atOnce(estimateBricks(bricked.volume, bricked.volume.finer, detail, { view, optics }))!;
-  // As the element does it: what brings most comes first, and nothing is said before the probes have come.
-  let turns = Math.floor(9 * random());
+  // As the element does it: until what is said is within `max-error`, and not before the probes have come.
+  const maxError = errors[Math.floor(errors.length * random())];
   let now = estimate();
-  while (now.probes.length > 0 || turns-- > 0) {
-    const best = turns > 0 ? now.gains.rank(turn, 1, () => false).map(({ brick }) => brick) : [];
+  while (now.probes.length > 0 || now.error.rms > maxError) {
+    const best = now.error.rms > maxError ? now.gains.rank(turn, 1, () => false).map(({ brick }) => brick) : [];
+    if (now.probes.length + best.length === 0) break;
     for (const brick of [...now.probes, ...best]) {
       const samples = readBrick(bricked.pyramid, brick);
       detail.measure(brick, samples);
@@ -114,10 +119,17 @@ function measureView(field: string, whole: Volume, random: () => number): Detail
     }
     now = estimate();
   }
-  const said = now.rms;
+  const said = now.error.rms;
   const draw = (volume: Volume): Float64Array =>
     drawInFloat64(volume, { transferFunction, rays, stepLength: finestSpacing(whole.grid) });
-  return { field, look, share: shareOf(bricked), said, true: compareCovered(draw(bricked.volume), draw(whole), 255) };
+  return {
+    field,
+    look,
+    maxError,
+    share: shareOf(bricked),
+    said,
+    true: compareCovered(draw(bricked.volume), draw(whole), 255),
+  };
 }
 
 const shareOf = ({ volume: { finer } }: Bricked): number =>

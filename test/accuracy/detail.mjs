@@ -13,9 +13,9 @@ export async function run({ quick }) {
   const views = [];
   for (const view of measureViews(quick ? 24 : 200)) {
     views.push(view);
-    const { field, look, share, said, true: truth } = view;
+    const { field, look, maxError, share, said, true: truth } = view;
     console.log(
-      `${field}, look ${look}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
+      `${field}, look ${look}, max-error ${maxError}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
     );
   }
   const quantile = (/** @type {number[]} */ all, /** @type {number} */ share) => {
@@ -32,6 +32,7 @@ export async function run({ quick }) {
       volume: name,
       views: own.length,
       'within a factor of two': `${((100 * near) / own.length).toFixed(0)} %`,
+      'kept within twice max-error': `${own.filter(({ true: truth, maxError }) => truth.rms <= 2 * maxError).length}`,
       '5 %': low,
       median: middle,
       '95 %': high,

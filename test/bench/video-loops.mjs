@@ -96,7 +96,7 @@ async function openPackage(base) {
 
 export async function run() {
   const counting = () =>
-    Buffer.concat([Buffer.from(`(${countFrames})();\n`), readFileSync(join(projectRoot, workerFile))]);
+    Buffer.concat([Buffer.from(`(${String(countFrames)})();\n`), readFileSync(join(projectRoot, workerFile))]);
   await measurePackage(measure, { [`/${workerFile}`]: counting });
 }
 

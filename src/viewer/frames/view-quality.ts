@@ -79,10 +79,10 @@ export class ViewQuality {
     );
   }
 
-  /** What a lossy form of the volume leaves in its pictures is part of their error, but decides no level. */
+  /** What a lossy form of the volume, or bricks that are not there, leave in its pictures is part of their error, but decides no level. */
   async #withLoss<T extends QualityFinding>(found: T | null): Promise<T | null> {
     const { volume, scene } = this.view;
-    if (!found || !volume?.lossy) return found;
+    if (!found || !(volume?.lossy || volume?.finer)) return found;
     const part = await loadPart(import('./lossy-quality.ts'), 'bounds errors');
     return part.includeLoss(found, volume, scene.whatIsSeen(), this.asked.maxError);
   }

@@ -9,6 +9,7 @@ import type { Waiting } from '../../core/waiting.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import type { ErrorPart } from '../../quality/error-estimate.ts';
 import { voxelsAlong } from '../../quality/steps.ts';
 import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
@@ -28,11 +29,11 @@ export interface BrickPicture {
 
 /** What was found. */
 export interface BrickEstimate {
-  /** Bricks that have to be looked at before `rms` can be relied on; those that follow them are not listed yet. */
+  /** Bricks that have to be looked at before `error` can be relied on; those that follow them are not listed yet. */
   readonly probes: readonly Brick[];
   readonly gains: BrickGains;
-  /** The error that is left, 1/255: the root mean square over the rays that meet the volume. */
-  readonly rms: number;
+  /** The error that is left in the picture, over the rays that meet the volume. No bound of the largest one is known. */
+  readonly error: ErrorPart;
 }
 
 /** Rays across and down. */
@@ -71,7 +72,7 @@ export function* estimateBricks(
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick));
-  return { gains, probes, rms: yield* seekDetail(scene, gains) };
+  return { gains, probes, error: { ...(yield* seekDetail(scene, gains)), max: null } };
 }
 
 /** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */

@@ -54,8 +54,6 @@ export class BrickView implements ViewPart {
   readonly bricks: ResidentBricks;
   /** The pinned volume with its bricks. */
   readonly volume: Volume;
-  /** The error that the bricks leave in the last picture, 1/255: root mean square; null where it is not known. */
-  rms: number | null = null;
   readonly #shape: AtlasShape;
   readonly #detail: ResidentDetail;
   readonly #levels: readonly FinerLevel[];
@@ -289,8 +287,8 @@ export class BrickView implements ViewPart {
         last = picture.key;
         const isFull = bricks.count >= this.#capacity;
         const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
-        this.rms = found.rms;
-        const isEnough = found.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
+        bricks.error = found.error;
+        const isEnough = found.error.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
         const probes = found.probes.filter((brick) => !loading.isRefused(brick));
         const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
         loading.want({

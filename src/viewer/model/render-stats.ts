@@ -23,7 +23,7 @@ export interface RenderStats {
   readonly converged: boolean;
   /**
    * How far the pixels that the volume covers differ from a picture with infinitely many steps, in 1/255: estimated on the GPU
-   * from this same view. What a video lost is in it, where its manifest says that. null while moving, and where the device can't measure it.
+   * from this same view. What a video lost is in it, where its manifest says that, and what bricks hide that are not there. null while moving, and where the device can't measure it.
    */
   readonly error: PictureError | null;
   /**

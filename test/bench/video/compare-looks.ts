@@ -53,11 +53,11 @@ export async function compareLooks(path: string, quality: number): Promise<reado
   const { after, lost } = await encode(scan, quality);
   const before = scan.volume;
   const lossy: Lossy = { ...lost, picture: await compareVolumes(before, after, size) };
-  const then = await colorsOf(after, plainAppearance);
+  const made = await colorsOf(after, plainAppearance);
   const results: LookResult[] = [];
   for (const [look, changes] of Object.entries(looksOf(after.window ?? after.range))) {
     const said = { ...plainAppearance, ...changes };
-    const stated = scaleLoss(lossy, after, { now: await colorsOf(after, said), then });
+    const stated = scaleLoss(lossy, after, { now: await colorsOf(after, said), made });
     const known = await compareVolumes(before, after, size, said);
     results.push({ look, known: known.rms, stated: stated!.rms });
   }

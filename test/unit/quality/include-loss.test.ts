@@ -38,27 +38,27 @@ describe('the error of a picture with one more cause', () => {
 
 describe('what a lossy form leaves in a picture', () => {
   it('is what was measured, where the colours are those of then', () => {
-    expect(scaleLoss(lossy, volume, { now: usual, then: usual })).to.deep.equal({ rms: 1.5, p99: 5, max: null });
+    expect(scaleLoss(lossy, volume, { now: usual, made: usual })).to.deep.equal({ rms: 1.5, p99: 5, max: null });
   });
 
   it('grows with the slope of the colours, is nothing where all values have one colour, and is at most all', () => {
-    const at = (now: TransferFunction) => scaleLoss(lossy, volume, { now: look(now), then: usual })!.rms;
+    const at = (now: TransferFunction) => scaleLoss(lossy, volume, { now: look(now), made: usual })!.rms;
     expect(at(ramp(60, 190))).to.be.within(1.6 * 1.5, 2.6 * 1.5);
     expect(at(ramp(-255, 510))).to.be.within(0.2 * 1.5, 0.6 * 1.5);
     expect(at(ramp(0, 255).map((stop) => ({ ...stop, opacity: 0.5, color: [1, 1, 1] })))).to.equal(0);
     const worst = { ...lossy, picture: { ...lossy.picture, rms: 200 } };
-    expect(scaleLoss(worst, volume, { now: look(ramp(120, 130)), then: usual })!.rms).to.equal(255);
+    expect(scaleLoss(worst, volume, { now: look(ramp(120, 130)), made: usual })!.rms).to.equal(255);
   });
 
   it('is nothing, with a bound, where no value changed, and not known where no pictures were compared', () => {
     const zero = { rms: 0, p99: 0, max: 0 };
-    expect(scaleLoss({ ...zero, picture: zero }, volume, { now: usual, then: usual })).to.deep.equal(zero);
-    expect(scaleLoss({ rms: 2, p99: 6, max: 20 }, volume, { now: usual, then: usual })).to.equal(null);
+    expect(scaleLoss({ ...zero, picture: zero }, volume, { now: usual, made: usual })).to.deep.equal(zero);
+    expect(scaleLoss({ rms: 2, p99: 6, max: 20 }, volume, { now: usual, made: usual })).to.equal(null);
   });
 
   it('is what was measured where the pictures of then showed nothing', () => {
     const hidden = look(ramp(300, 400));
-    expect(scaleLoss(lossy, volume, { now: usual, then: hidden })!.rms).to.equal(1.5);
+    expect(scaleLoss(lossy, volume, { now: usual, made: hidden })!.rms).to.equal(1.5);
   });
 
   it('counts values that are visible, by how many there are', () => {

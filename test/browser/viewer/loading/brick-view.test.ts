@@ -2,6 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import '../../../../components/volume-view/define.ts';
 import type { VolumeView } from '../../../../components/volume-view/volume-view.ts';
+import { compareCovered } from '../../../helpers/covered-error.ts';
 import { formulaFiles, formulaOf } from '../../../helpers/formula-pyramid.ts';
 import type { FormulaPyramid } from '../../../helpers/formula-pyramid.ts';
 
@@ -87,8 +88,39 @@ describe('a pyramid in bricks on a page', () => {
     console.log(
       `bricked against whole: worst ${worst}, rms ${rms.toFixed(3)}; ${JSON.stringify(log)}; ${JSON.stringify(view.renderStats)}`,
     );
+    const { parts } = view.renderStats!.error!;
     view.remove();
     expect(worst).to.be.at.most(1);
+    expect(parts!.detail!.rms).to.be.below(0.3);
+  });
+
+  it('states what the bricks hide that are not there', async function () {
+    this.timeout(90_000);
+    const { fetch, log } = serve({ dimensions: [128, 128, 128], levels: 3 });
+    const shown: Record<string, Uint8ClampedArray> = {};
+    let said = 0;
+    const ways: Record<string, Record<string, string>> = {
+      whole: {},
+      bricked: { 'max-gpu-bytes': '1e5', 'max-error': '4' },
+    };
+    for (const [name, more] of Object.entries(ways)) {
+      const view = addView(fetch, { ...look, 'camera-orbit': '30deg 65deg 300', ...more });
+      await view.whenRendered();
+      shown[name] = await pixelsOf(view);
+      const { error, converged, keepsMaxError } = view.renderStats!;
+      if (name === 'bricked') {
+        expect([converged, keepsMaxError]).to.deep.equal([true, true]);
+        const { steps, detail } = error!.parts!;
+        said = detail!.rms;
+        expect(error!.rms).to.be.closeTo(Math.hypot(steps.rms, said), 1e-9);
+        expect([error!.max, detail!.max]).to.deep.equal([null, null]);
+      } else expect(error!.parts).to.equal(undefined);
+      view.remove();
+    }
+    const { rms } = compareCovered(shown.bricked, shown.whole, 1);
+    console.log(`bricks hide ${rms.toFixed(2)}, stated ${said.toFixed(2)}; ${JSON.stringify(log)}`);
+    expect(said).to.be.within(0.2, 4);
+    expect(said / rms).to.be.within(1 / 3, 3);
   });
 
   it('asks for at most 8 files at once, keeps what the page allows, and asks for nothing once it has left', async function () {
