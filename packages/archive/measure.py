@@ -24,6 +24,10 @@ sys.path.insert(0, str(HERE / "tests"))
 from helpers import COMMAND, catalogue_of, children_of, command_of, scans_in, write_nifti  # noqa: E402
 
 
+# The driver's memory is noted when so many units are written down.
+MARKS = (500, 1000, 2000, 5000, 10000, 20000, 50000, 100000)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scans", type=int, default=1000)
@@ -69,7 +73,7 @@ ROWS = {
     "units a second": lambda one: one["unitsPerSecond"],
     "worker seconds a unit in the command, ms": lambda one: f"{1000 * one['workerSeconds']['ofTheCommand'] / max(1, one['units']['done']):.1f}",
     "worker seconds a unit besides it, ms": lambda one: f"{1000 * (one['workerSeconds']['all'] - one['workerSeconds']['ofTheCommand']) / max(1, one['units']['done']):.1f}",
-    "memory of the driver after a tenth, at the end, MB": lambda one: ", ".join(f"{size / 1e6:.0f}" for size in one["driver"]),
+    "memory of the driver at so many units written down, MB": lambda one: ", ".join(f"{units}: {size / 1e6:.1f}" for units, size in one["driver"].items()),
     "largest process of a worker, MB": lambda one: f"{one['peakBytesOfAProcess'] / 1e6:.0f}",
 }
 
@@ -78,21 +82,34 @@ def run(args, work, kills):
     command = [sys.executable, "-m", "volume_view_archive", str(work / "in"), "--out", str(work / "site"), "--tmp", str(work), "--prepare", COMMAND]
     command += ["--workers", str(args.workers), "--batch", str(args.batch), "--", "--poster", "0"]
     began, before = time.monotonic(), os.times()
-    sizes, killed = [], 0
+    driver, size, seconds, killed = {}, 0, 0, 0
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env={**os.environ, "PYTHONPATH": str(HERE / "src")})
     answer = []
     reader = threading.Thread(target=lambda: answer.append(process.stdout.read()))
     reader.start()
     while process.poll() is None:
         time.sleep(1)
-        sizes.append(resident(process.pid))
-        if killed < kills and len(sizes) % 15 == 0:
+        seconds += 1
+        size = resident(process.pid) or size
+        done = units_in(work)
+        driver.update({f"{mark:,}": size for mark in MARKS if mark <= done and f"{mark:,}" not in driver})
+        if killed < kills and seconds % 15 == 0:
             killed += kill_worker(process.pid)
     reader.join()
     after = os.times()
     cpu = after.children_user + after.children_system - before.children_user - before.children_system
-    sizes = [size for size in sizes if size] or [0]
-    return {**json.loads(answer[0]), "all": time.monotonic() - began, "cpu": cpu, "driver": (sizes[len(sizes) // 10], sizes[-1]), "killed": killed}
+    # The catalogue, which is written last, takes more.
+    driver["the end"] = size
+    return {**json.loads(answer[0]), "all": time.monotonic() - began, "cpu": cpu, "driver": driver, "killed": killed}
+
+
+def units_in(work):
+    """The number of units that the run has written down."""
+    try:
+        with (work / "site.private/journal.jsonl").open("rb") as file:
+            return sum(line.startswith(b'{"unit"') for line in file)
+    except OSError:
+        return 0
 
 
 def resident(process):
