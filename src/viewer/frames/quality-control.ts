@@ -17,7 +17,7 @@ import type { ChosenSteps, QualityFinding } from './chosen-level.ts';
 
 /** The code that measures the error of pictures is loaded when the first picture is there. */
 function loadTools(): Promise<typeof viewQuality> {
-  return loadPart(import('./view-quality.ts'), 'measures the error of pictures');
+  return loadPart(import('./view-quality.ts'), 'measures errors');
 }
 
 /** A view whose error is probed. */

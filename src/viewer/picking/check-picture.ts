@@ -25,7 +25,7 @@ import type { Viewer } from '../view/viewer.ts';
  */
 export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
   const { controller, loop, shown, frames } = viewer;
-  const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures the error of pictures');
+  const { seenPixels } = await loadPart(import('../frames/view-quality.ts'), 'measures errors');
   return controller.withScene(async (scene) => {
     // A view that was far away gets a new scene for this: it has drawn nothing yet.
     if (controller.isNew) await loop.drawNow(() => frames.drawNow(scene));

@@ -32,7 +32,7 @@ let chunks: typeof Chunks | null = null;
 
 /** Load the code for mosaics, floats and filtering in the shader; await it before the upload. @throws {VolumeViewError} `format/unsupported` */
 export async function loadCartesianChunks(): Promise<void> {
-  chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes where the graphics processor can not');
+  chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes');
 }
 
 /** The same, but only if the volume needs this code. */
