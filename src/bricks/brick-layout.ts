@@ -46,16 +46,23 @@ const [leastColumns, leastRows] = [16, 8];
 
 /** @param dimensions - of the volume */
 export function shapeAtlas([nx, ny, nz]: Vector3): AtlasShape {
-  const columns = Math.max(leastColumns, Math.ceil((nx + 2 * brickHalo) / slotSide));
-  const rows = Math.max(leastRows, Math.ceil((ny + 2 * brickHalo) / slotSide));
+  const [width, height, depth] = [nx, ny, nz].map((n) => n + 2 * brickHalo);
+  const columns = Math.max(leastColumns, Math.floor(width / slotSide));
+  const rows = Math.max(leastRows, Math.floor(height / slotSide));
   return {
     columns,
     rows,
-    width: columns * slotSide,
-    height: rows * slotSide,
-    depth: nz + 2 * brickHalo,
+    width: Math.max(width, columns * slotSide),
+    height: Math.max(height, rows * slotSide),
+    depth,
     slotsOfLayer: columns * rows,
   };
+}
+
+/** Texels along the longest edge of the smallest atlas: with one layer of slots. */
+export function atlasEdge(dimensions: Vector3): number {
+  const { width, height, depth } = shapeAtlas(dimensions);
+  return Math.max(width, height, depth + slotSide);
 }
 
 /** The first texel of a slot. */

@@ -1,5 +1,5 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
-import { brickHalo } from '../../bricks/brick-layout.ts';
+import { atlasEdge } from '../../bricks/brick-layout.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import { chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
@@ -50,9 +50,8 @@ export function choosePinned(
   if (isSmall(boxes[0], Math.min(maxGpuBytes, limits.maxBytes))) return null;
   const most = Math.min(pinnedBytes, maxGpuBytes * shareOfPinned, limits.maxBytes);
   const coarsest = boxes[boxes.length - 1];
-  // It gets a halo on the GPU.
-  const hasRoom = ({ dimensions }: LevelBox): boolean =>
-    Math.max(...dimensions) + 2 * brickHalo <= limits.maxVoxelsPerAxis;
+  // It lies in one texture with the bricks.
+  const hasRoom = ({ dimensions }: LevelBox): boolean => atlasEdge(dimensions) <= limits.maxVoxelsPerAxis;
   const box =
     boxes.find((one) => isSmall(one, most) && hasRoom(one)) ??
     (hasRoom(coarsest) && isSmall(coarsest, Math.min(maxGpuBytes * shareOfCoarsest, limits.maxBytes))

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { layBricks } from '../../../src/bricks/brick-layout.ts';
+import { atlasEdge, layBricks, placeOfSlot, shapeAtlas, slotSide } from '../../../src/bricks/brick-layout.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { residentSampler } from '../../../src/bricks/resident-field.ts';
@@ -91,6 +91,29 @@ describe('the layout of bricks', () => {
     const turned = [0, 0.5, 0, -0.25, 0.5, 0, 0, -0.25, 0, 0, 0.5, -0.25, 0, 0, 0, 1];
     expect(layBricks(grid, [{ ...level, indexToWorld: turned }])).to.equal(null);
     expect(layBricks(grid, [])).to.equal(null);
+  });
+
+  it('has room for the volume with its halo, and for slots that do not overlap', () => {
+    const longest = 2048 - 2 - slotSide;
+    expect([atlasEdge([2046, 20, 20]), atlasEdge([20, 2046, 20]), atlasEdge([20, 20, longest])]).to.deep.equal([
+      2048, 2048, 2048,
+    ]);
+    expect(atlasEdge([20, 20, longest + 1])).to.be.above(2048);
+    for (const size of [
+      [20, 20, 20],
+      [600, 300, 7],
+      [2046, 5, 5],
+    ] as const) {
+      const shape = shapeAtlas(size);
+      const places = Array.from({ length: 2 * shape.slotsOfLayer }, (_, slot) => placeOfSlot(shape, slot));
+      expect(new Set(places.map(String)).size).to.equal(places.length);
+      for (const [x, y, z] of places)
+        expect([x + slotSide <= shape.width, y + slotSide <= shape.height, z >= size[2] + 2]).to.deep.equal([
+          true,
+          true,
+          true,
+        ]);
+    }
   });
 
   it('move into fewer slots, and give the same values there', () => {

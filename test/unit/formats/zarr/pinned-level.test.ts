@@ -43,8 +43,13 @@ describe('a pyramid of which the GPU may not hold the finest level', () => {
   });
 
   it('is asked for in bricks where the device can not hold the finest level either', async () => {
-    const { levels } = await read({ ...wanted, maxGpuBytes: 2 ** 28 }, { limits: { maxVoxelsPerAxis: 32 } });
+    const long = { ...made, shape: [8, 8, 600] };
+    const { levels, grid } = await read(
+      { ...wanted, maxGpuBytes: 2 ** 28 },
+      { limits: { maxVoxelsPerAxis: 544 }, pyramid: long },
+    );
     expect(levels!.length).to.equal(1);
+    expect(grid.dimensions[0]).to.equal(300);
   });
 
   for (const [name, settings, more] of [
