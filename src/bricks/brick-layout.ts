@@ -11,6 +11,8 @@ export const brickHalo = 1;
 /** Voxels along each axis of a brick with its halo. */
 export const slotSide = brickSide + 2 * brickHalo;
 
+export const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
+
 /** A level of a pyramid over the unit cube of a volume. */
 export interface LevelFrame extends Pick<BrickLevel, 'dimensions' | 'bricks' | 'factors'> {
   /** Voxels of the level = scale * place + shift; whole numbers are at the faces between voxels. */

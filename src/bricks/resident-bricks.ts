@@ -7,7 +7,15 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo, brickOfCell, cellOfPlace, cellsOfBrick, gridOfLevel, slotSide } from './brick-layout.ts';
+import {
+  brickHalo,
+  brickOfCell,
+  cellOfPlace,
+  cellsOfBrick,
+  gridOfLevel,
+  slotDimensions,
+  slotSide,
+} from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
@@ -19,8 +27,6 @@ export interface ResidentBrick extends Brick, Omit<BrickSamples, 'hasNoData'> {
 export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
   return `${level}/${i}/${j}/${k}`;
 }
-
-const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
 /**
  * Bricks of finer levels over a volume, as rays in float64 read them. Each cell (brick of the finest level) shows the finest brick that is

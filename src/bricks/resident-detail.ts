@@ -5,7 +5,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo, slotSide } from './brick-layout.ts';
+import { brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import type { Brick } from './pyramid.ts';
@@ -26,8 +26,6 @@ const stride = 3;
 
 /** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
 const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
-
-const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
 /**
  * The roughness of a macrocell is its largest second difference: so much of it is the root mean square of what a level of half the voxels hides of

@@ -17,7 +17,7 @@ const pinnedBytes = 2 ** 25;
 /** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
 const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
 
-/** Cells of the finest level that is read: the GPU has a table with an entry for each of them. */
+/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. */
 const maxCells = 2 ** 20;
 
 /** A pyramid that is read in bricks: the level that is always there, as a whole, and those that come in bricks. */
@@ -61,7 +61,9 @@ export function choosePinned(
     ({ number }) => box && number < boxes.indexOf(box),
   );
   const levels = relativeToFirst(
-    inBricks.map(({ brick }) => brick).filter(({ bricks: [x, y, z] }) => x * y * z <= maxCells),
+    inBricks
+      .map(({ brick }) => brick)
+      .filter(({ bricks: [x, y, z] }) => x * y * z <= maxCells && Math.max(2 * x, y, z) <= limits.maxVoxelsPerAxis),
   );
   return box && levels.length > 0 ? { box, numbers, levels } : null;
 }

@@ -47,12 +47,9 @@ export class BrickTextures {
   }
 
   get bytes(): number {
-    return this.#bytesOf(this.#layers) + pageBytes(this.bricks.layout.cells);
-  }
-
-  #bytesOf(layers: number): number {
     const { width, height, depth } = this.#shape;
-    return width * height * (depth + layers * slotSide) * this.packing.texels.bytes;
+    const texels = width * height * (depth + this.#layers * slotSide);
+    return texels * this.packing.texels.bytes + pageBytes(this.bricks.layout.cells);
   }
 
   /** Writes the volume piece by piece. @returns whether there was memory for it */

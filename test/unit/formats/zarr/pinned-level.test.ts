@@ -52,6 +52,15 @@ describe('a pyramid of which the GPU may not hold the finest level', () => {
     expect(grid.dimensions[0]).to.equal(300);
   });
 
+  it('leaves out levels whose table the device can not hold', async () => {
+    const long = { ...made, shape: [1, 1, 9000], levels: 6 };
+    const { levels } = await read(
+      { ...wanted, maxGpuBytes: 4000 },
+      { limits: { maxVoxelsPerAxis: 544 }, pyramid: long },
+    );
+    expect(levels!.map(({ bricks }) => bricks[0])).to.deep.equal([141, 71, 36, 18]);
+  });
+
   for (const [name, settings, more] of [
     ['it fits', { maxGpuBytes: 70_000 }, {}],
     ['nobody asks for bricks', { finer: false }, {}],
