@@ -1,6 +1,6 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
 import { cellSize, offLine } from '../volume/cell-size.ts';
-import type { FinerVoxels } from '../volume/finer-voxels.ts';
+import type { BrickedValues, FinerVoxels } from '../volume/finer-voxels.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -50,6 +50,9 @@ export class ResidentBricks implements FinerVoxels {
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
   readonly #free: number[] = [];
   readonly #counts: number[];
+  /** Smallest and largest stored value of all bricks that came: fewer of them when they go would change the tables of colours. */
+  #low = Infinity;
+  #high = -Infinity;
 
   /**
    * @param volume - over which the bricks lie: it is the level that is always there
@@ -81,11 +84,21 @@ export class ResidentBricks implements FinerVoxels {
     return level < 0 ? this.volume.grid : gridOfLevel(this.volume.grid, this.layout.levels[level]);
   }
 
-  current<V extends { readonly macrocells: Macrocells }>(volume: V): V {
+  current<V extends BrickedValues>(volume: V): V {
     const { cells } = this.changes;
     if (this.#current?.volume !== volume || this.#current.cells !== cells)
-      this.#current = { volume, cells, now: { ...volume, macrocells: this.macrocells } };
+      this.#current = {
+        volume,
+        cells,
+        now: { ...volume, macrocells: this.macrocells, range: this.#widenRange(volume) },
+      };
     return this.#current.now as V;
+  }
+
+  #widenRange({ range, slope, intercept }: BrickedValues): BrickedValues['range'] {
+    const all = [...range];
+    if (this.#low <= this.#high) all.push(slope * this.#low + intercept, slope * this.#high + intercept);
+    return [Math.min(...all), Math.max(...all)];
   }
 
   /** All bricks, in the order in which they came. */
@@ -241,6 +254,7 @@ export class ResidentBricks implements FinerVoxels {
   /** Its values may lie in all macrocells that it touches. They stay there when it goes: then rays only skip less. */
   #widen({ level, at, low: min, high: max }: ResidentBrick): void {
     if (!(min <= max)) return;
+    [this.#low, this.#high] = [Math.min(this.#low, min), Math.max(this.#high, max)];
     const { dimensions, low, high, roughness } = this.macrocells;
     const { scale, shift } = this.layout.levels[level];
     const voxels = this.volume.grid.dimensions;

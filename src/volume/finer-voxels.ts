@@ -17,6 +17,15 @@ export interface FinerLevel extends GridFrame {
   readonly factors: Vector3;
 }
 
+/** What finer voxels change of a volume: its own voxels are means, and these have smaller and larger values. */
+export interface BrickedValues {
+  readonly macrocells: Macrocells;
+  /** Of data values. */
+  readonly range: readonly [number, number];
+  readonly slope: number;
+  readonly intercept: number;
+}
+
 /** Voxels that are smaller than those of a volume, at some of its places: bricks of the finer levels of its pyramid. */
 export interface FinerVoxels {
   /** What the renderer's `FieldProvider` has: who makes such voxels has loaded the code that uploads them. */
@@ -29,8 +38,10 @@ export interface FinerVoxels {
   readonly moving: boolean;
   /** What the voxels that are not there leave in the present picture, in 1/255, as far as it is known: see `ErrorPart`. */
   readonly error: { readonly rms: number; readonly p99: number; readonly max: number | null } | null;
-  /** The volume with the macrocells of now: another object if they have changed since the last call, so that what is made of them is made again. */
-  current<V extends { readonly macrocells: Macrocells }>(volume: V): V;
+  /**
+   * The volume with the macrocells and the range of values of now: another object if they have changed since the last call, so that what is made of them is made again.
+   */
+  current<V extends BrickedValues>(volume: V): V;
   /** The stored value at a place of the unit cube, of the volume itself where nothing finer is there; NaN for no data. */
   storedAt(place: Vector3): number;
   /** The value of the nearest voxel; undefined where the volume itself says more. */

@@ -144,6 +144,28 @@ describe('the layout of bricks', () => {
     expect(finer.current(volume)).to.equal(second);
   });
 
+  it('are a volume with the smallest and the largest value of all that came: its own voxels are means', () => {
+    const whole = syntheticVolume({
+      dimensions: [64, 64, 64],
+      slope: 200,
+      intercept: -20,
+      field: (x, y, z) => (x + y + z < 0.05 ? 1 : x > 0.99 && y > 0.99 && z > 0.99 ? 0 : 0.4),
+    });
+    const { pyramid, volume } = cutIntoBricks(whole, 2, () => false);
+    const pinned = { ...volume, range: [50, 70] as const };
+    const { finer } = volume;
+    expect(finer.current(pinned).range).to.deep.equal([50, 70]);
+    for (const at of [
+      [0, 0, 0],
+      [1, 1, 1],
+    ] as const)
+      finer.add({ level: 0, at }, readBrick(pyramid, { level: 0, at }));
+    expect(finer.current(pinned).range[0]).to.be.closeTo(-20, 1e-9);
+    expect(finer.current(pinned).range[1]).to.be.closeTo(180, 1e-9);
+    finer.remove({ level: 0, at: [0, 0, 0] });
+    expect(finer.current(pinned).range[1]).to.be.closeTo(180, 1e-9);
+  });
+
   it('give the value of the nearest voxel', () => {
     const whole = syntheticVolume({ dimensions: [64, 64, 64], field: () => random() });
     const { finer } = cutIntoBricks(whole, 2, ({ at: [i] }) => i === 0).volume;
