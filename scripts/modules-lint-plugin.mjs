@@ -26,7 +26,7 @@ export const MAY_IMPORT = {
   'radar/gpu': ['core', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   'x3d/nodes': ['core', 'page', 'volume', 'optics', 'formats', 'worker', 'viewer/model'],
   x3d: ['core', 'page', 'volume', 'optics', 'radar', 'renderer'],
-  panes: ['core', 'page', 'volume', 'optics'],
+  panes: ['core', 'page', 'volume', 'optics', 'bricks'],
   editor: ['core', 'page', 'volume', 'optics', 'messages'],
   viewer: [
     'core',

@@ -51,13 +51,14 @@ export class SourceAttributes extends LookAttributes {
 
   /**
    * The bytes that the shown level of an OME-Zarr may have at most, `50e6` for 50 MB; by default what the device holds. A coarser level is read where
-   * one does not fit, and `volume.reduced` says so.
+   * one does not fit, and `volume.reduced` says so. It turns off bricks, see `max-gpu-bytes`.
    */
   @property({ attribute: 'max-bytes', kind: number }) maxBytes!: number | null;
 
   /**
    * Shows an OME-Zarr that is larger than so many bytes in bricks of finer levels, which take at most these bytes of the GPU's memory: `256e6` for 256 MB. All
-   * elements of a page share what the largest of these numbers says. Without it one level is shown.
+   * elements of a page share what the largest of these numbers says. By default bricks come where the device does not hold the finest level, in 256 MiB, or 128 on small
+   * devices.
    */
   @property({ attribute: 'max-gpu-bytes', kind: number }) maxGpuBytes!: number | null;
 

@@ -121,6 +121,10 @@ export class ReadoutPointer {
     this.#request();
   }
 
+  get #hasBricks(): boolean {
+    return socketOf(this.view).view?.viewer?.volume?.finer !== undefined;
+  }
+
   get #scans(): ScansOfView | null {
     return socketOf(this.view).view?.user.loader?.scans ?? null;
   }
@@ -181,7 +185,12 @@ export class ReadoutPointer {
       return this.show(this.#kept?.pick ?? null, this.#kept !== null);
     }
     this.#marker.show(place);
-    const pick = await this.view.pick(...place).catch(() => null);
-    if (place === (this.#mouse ?? this.#crosshair) && !this.#abort.signal.aborted) this.show(pick, true);
+    const isSame = (): boolean => place === (this.#mouse ?? this.#crosshair) && !this.#abort.signal.aborted;
+    // Of a volume in bricks, first the finest voxel that has come, then the finest of all, which may have to be read.
+    for (const finest of this.#hasBricks ? [false, true] : [true]) {
+      const pick = await this.view.pick(...place, { finest }).catch(() => null);
+      if (!isSame()) return;
+      this.show(pick, true);
+    }
   }
 }

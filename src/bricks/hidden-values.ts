@@ -1,4 +1,9 @@
 import type { Vector3 } from '../volume/matrix.ts';
+import { brickSide } from './brick-data.ts';
+import type { BrickSamples } from './brick-data.ts';
+import { brickHalo } from './brick-layout.ts';
+import type { BrickLayout } from './brick-layout.ts';
+import type { Brick } from './pyramid.ts';
 import { blockFinder } from './resident-field.ts';
 import type { ResidualTable } from './residuals.ts';
 
@@ -23,4 +28,51 @@ export function hiddenByTable({ side, low, high, levels }: ResidualTable, dimens
     low: (block) => low[block],
     high: (block) => high[block],
   };
+}
+
+/** The same for bricks over a volume. @param levels - the table's level of each level of bricks, and last that of the volume; the first is 0 */
+export function hiddenUnderBricks(
+  table: ResidualTable,
+  { levels: [{ dimensions, scale, shift }] }: BrickLayout,
+  levels: readonly number[],
+): HiddenValues {
+  const { blockAt, rms, max, low, high } = hiddenByTable(table, dimensions);
+  const [inX, inY, inZ] = [0, 1, 2].map(
+    (axis) => (place: number) => (place * scale[axis] + shift[axis]) / dimensions[axis],
+  );
+  return {
+    blockAt: (x, y, z) => blockAt(inX(x), inY(y), inZ(z)),
+    rms: (block, level) => rms(block, levels[level]),
+    max: (block, level) => max(block, levels[level]),
+    low,
+    high,
+  };
+}
+
+/** How far a value may lie outside of its block's, as a share of these: they are rounded. */
+const rounding = 1e-5;
+
+/** Whether the values of a brick are among those that a table has for its blocks: it is a table of other voxels where they are not. */
+export function holdsBrick(
+  { side, blocks, low, high }: ResidualTable,
+  { levels }: BrickLayout,
+  { level, at }: Brick,
+  { low: least, high: most }: Pick<BrickSamples, 'low' | 'high'>,
+): boolean {
+  if (!(least <= most)) return true;
+  const { factors } = levels[level];
+  // A block's values have those of the next voxel: one of the voxels that the halo reaches over.
+  const beyond = factors.map((n) => n * brickHalo - 1);
+  const from = at.map((n, axis) => Math.floor((n * brickSide * factors[axis] - beyond[axis]) / side));
+  const to = at.map((n, axis) => Math.floor(((n + 1) * brickSide * factors[axis] - 1 + beyond[axis]) / side));
+  const [first, last] = [from, to].map((ends) => ends.map((n, axis) => Math.min(blocks[axis] - 1, Math.max(0, n))));
+  let [min, max] = [Infinity, -Infinity];
+  for (let k = first[2]; k <= last[2]; k++)
+    for (let j = first[1]; j <= last[1]; j++)
+      for (let i = first[0]; i <= last[0]; i++) {
+        const block = i + blocks[0] * (j + blocks[1] * k);
+        [min, max] = [Math.min(min, low[block]), Math.max(max, high[block])];
+      }
+  const tolerance = rounding * Math.max(Math.abs(min), Math.abs(max));
+  return least >= min - tolerance && most <= max + tolerance;
 }

@@ -1,9 +1,10 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
 import { cellSize, offLine } from '../volume/cell-size.ts';
-import type { BrickedValues, FinerVoxels } from '../volume/finer-voxels.ts';
+import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
@@ -42,6 +43,8 @@ export class ResidentBricks implements FinerVoxels {
   /** Whether the present view gets more of them. */
   moving = false;
   error: FinerVoxels['error'] = null;
+  /** Bricks that were read for planes and picks. */
+  planes: (PlaneVoxels & { samplesOf(brick: Brick): Samples | undefined }) | null = null;
   /** Slots that there may be, and slots for which the GPU has memory. */
   capacity = Infinity;
   maxSlots = Infinity;
@@ -195,14 +198,19 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   nearestAt(place: Vector3): number | undefined {
-    const brick = this.#brickAt(place);
-    if (!brick) return undefined;
-    const [i, j, k] = this.#placeIn(brick, place).map((x) => Math.min(slotSide - 1, Math.floor(x * slotSide)));
-    return brick.samples[i + slotSide * (j + slotSide * k)];
+    const cell = cellOfPlace(this.layout, place);
+    for (const [level, frame] of this.layout.levels.entries()) {
+      const brick = { level, at: brickOfCell(frame, cell) };
+      const samples = this.get(brick)?.samples ?? this.planes?.samplesOf(brick);
+      if (!samples) continue;
+      const [i, j, k] = this.#placeIn(brick, place).map((x) => Math.min(slotSide - 1, Math.floor(x * slotSide)));
+      return samples[i + slotSide * (j + slotSide * k)];
+    }
+    return undefined;
   }
 
   /** A place in the unit cube of a brick's slot. Beyond the outermost voxels' centres values stay as they are there. */
-  #placeIn({ level, at }: ResidentBrick, place: Vector3): Vector3 {
+  #placeIn({ level, at }: Brick, place: Vector3): Vector3 {
     const { scale, shift, dimensions } = this.layout.levels[level];
     return place.map((x, axis) => {
       const voxel = Math.min(Math.max(x * scale[axis] + shift[axis], 0.5), dimensions[axis] - 0.5);

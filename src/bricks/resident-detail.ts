@@ -7,10 +7,12 @@ import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import { brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
+import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import type { Brick } from './pyramid.ts';
 import { keyOfBrick } from './resident-bricks.ts';
 import type { ResidentBricks } from './resident-bricks.ts';
+import type { ResidualTable } from './residuals.ts';
 
 /** How far a brick is from what was there before it, in stored values. */
 interface Measured {
@@ -40,8 +42,8 @@ const limits = [0.25, 8] as const;
 const leastPeak = 2;
 
 /**
- * What the levels of a pyramid hide, where its writer has said nothing of it: each octave that is not known of a place has so many times the detail of
- * the next coarser one as the same octave has elsewhere. As `learnDetail`, for bricks that come and go.
+ * What the levels of a pyramid hide: what its writer has said; or where that is not known, each octave that is not known of a place has so many times the detail of
+ * the next coarser one as the same octave has elsewhere, as in `learnDetail`, for bricks that come and go.
  */
 export class ResidentDetail implements HiddenValues, DetailField {
   readonly levels: number;
@@ -56,6 +58,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
   #rmsOfSlot = new Float64Array(0);
   #maxOfSlot = new Float64Array(0);
   readonly #range: [low: number, high: number] = [Infinity, -Infinity];
+  #table: ResidualTable | null = null;
+  #byTable: HiddenValues | null = null;
 
   constructor(
     readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
@@ -75,14 +79,28 @@ export class ResidentDetail implements HiddenValues, DetailField {
     return this.#range;
   }
 
-  /** Whether a brick was there once. */
+  /** Takes what the writer has said, until a brick has other values. @param levels - see `hiddenUnderBricks` */
+  take(table: ResidualTable, levels: readonly number[]): void {
+    this.#table = table;
+    this.#byTable = hiddenUnderBricks(table, this.bricks.layout, levels);
+    for (let block = 0; block < table.low.length; block++) this.#meet(table.low[block], table.high[block]);
+    for (const brick of this.bricks.bricks) this.#compare(brick, brick);
+  }
+
+  /** Whether a brick was there once, or its values are known without it. */
   isMeasured(brick: Brick): boolean {
-    return this.#measured.has(keyOfBrick(brick));
+    return this.#byTable !== null || this.#measured.has(keyOfBrick(brick));
+  }
+
+  #compare(brick: Brick, values: Pick<BrickSamples, 'low' | 'high'>): void {
+    if (this.#table && !holdsBrick(this.#table, this.bricks.layout, brick, values))
+      [this.#table, this.#byTable] = [null, null];
   }
 
   /** Looks at a brick before it is shown. */
   measure(brick: Brick, { samples, low, high }: BrickSamples): void {
     this.#meet(low, high);
+    this.#compare(brick, { low, high });
     const key = keyOfBrick(brick);
     if (this.#measured.has(key)) return;
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
@@ -103,7 +121,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
           squares += (value - shown) ** 2;
           max = Math.max(max, Math.abs(value - shown));
           [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
-          const block = this.blockAt(...(place as [number, number, number]));
+          const block = this.#shownAt(...(place as [number, number, number]));
           before += this.#rmsAt(block) ** 2;
           steps = Math.max(1, this.#levelOf(block) - brick.level);
         }
@@ -145,8 +163,13 @@ export class ResidentDetail implements HiddenValues, DetailField {
       }
   }
 
-  /** A block is the slot of a brick; or, below 0, a macrocell of the volume. */
+  /** A block of the writer's table; without one, see `#shownAt`. */
   blockAt(x: number, y: number, z: number): number {
+    return this.#byTable ? this.#byTable.blockAt(x, y, z) : this.#shownAt(x, y, z);
+  }
+
+  /** The slot of a brick; or, below 0, a macrocell of the volume. */
+  #shownAt(x: number, y: number, z: number): number {
     const slot = this.bricks.slotOf(this.cellAt(x, y, z));
     if (slot >= 0) return slot;
     const {
@@ -161,10 +184,12 @@ export class ResidentDetail implements HiddenValues, DetailField {
   }
 
   rms(block: number, level: number): number {
+    if (this.#byTable) return this.#byTable.rms(block, level);
     return this.#known(block).rms * this.#factors[this.#levelOf(block) * (this.levels + 1) + level];
   }
 
   max(block: number, level: number): number {
+    if (this.#byTable) return this.#byTable.max(block, level);
     const { rms, max } = this.#known(block);
     if (!(rms > 0)) return 0;
     let peak = max / rms;
@@ -173,12 +198,12 @@ export class ResidentDetail implements HiddenValues, DetailField {
     return peak * this.rms(block, level);
   }
 
-  low(): number {
-    return this.#range[0];
+  low(block: number): number {
+    return this.#byTable ? this.#byTable.low(block) : this.#range[0];
   }
 
-  high(): number {
-    return this.#range[1];
+  high(block: number): number {
+    return this.#byTable ? this.#byTable.high(block) : this.#range[1];
   }
 
   valueAt(x: number, y: number, z: number): number {

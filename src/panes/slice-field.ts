@@ -1,5 +1,5 @@
 import { corners } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { CartesianGrid, GridFrame } from '../volume/grid.ts';
 import { dot, invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import { valueOf } from '../volume/index-numbers.ts';
@@ -16,6 +16,9 @@ import type { SlicePlane } from './slice-plane.ts';
 /** A volume on a cartesian grid as panes read it: points of the world, and values in the volume's own unit. */
 export class SlicedVolume {
   readonly worldToIndex: Matrix4;
+  /** The grid of the finest voxels, of which the volume itself may have only means. */
+  readonly finest: GridFrame;
+  readonly #worldToFinest: Matrix4;
   readonly #block: SampledBlock;
   readonly #nearest: SampleAt;
   readonly #linear: SampleAt;
@@ -28,6 +31,8 @@ export class SlicedVolume {
     const block = { samples: volume.samples, dimensions: grid.dimensions, hasNoData: volume.hasNoData };
     this.#block = block;
     this.worldToIndex = invertAffine(grid.indexToWorld)!; // The inverse exists: it was checked when the volume was loaded.
+    this.finest = volume.finer?.finest ?? grid;
+    this.#worldToFinest = invertAffine(this.finest.indexToWorld)!;
     this.#nearest = nearestSampler(block);
     this.#linear = volume.isDiscrete ? this.#nearest : linearSampler(block);
     this.#readRow = volume.isDiscrete ? rowOf(this.#nearest) : linearRow(block, this.#linear);
@@ -52,7 +57,7 @@ export class SlicedVolume {
 
   /** The distance between slices along a direction: so far that no index changes by more than one. World units. */
   stepAlong(direction: Vector3): number {
-    return 1 / Math.max(...transformDirection(this.worldToIndex, direction).map(Math.abs));
+    return 1 / Math.max(...transformDirection(this.#worldToFinest, direction).map(Math.abs));
   }
 
   /**
@@ -80,12 +85,19 @@ export class SlicedVolume {
     const { volume } = this;
     const { indexed } = volume;
     const at = transformPoint(this.worldToIndex, place);
-    const stored = this.#nearest(...at);
+    const stored = this.#finerAt(at) ?? this.#nearest(...at);
     // Values that float32 rounds are returned as they are in the file.
     const value =
       indexed && !Number.isNaN(stored)
         ? indexed.ids[nearestSampler({ samples: indexed.samples, dimensions: this.grid.dimensions })(...at)]
         : valueOf(volume, stored);
     return Number.isNaN(value) ? null : value;
+  }
+
+  /** The value of a finer voxel, if there is one. @param at - index of the volume */
+  #finerAt(at: Vector3): number | undefined {
+    const { dimensions } = this.grid;
+    const place = at.map((x, axis) => (x + 0.5) / dimensions[axis]) as unknown as Vector3;
+    return place.every((x) => x >= 0 && x <= 1) ? this.volume.finer?.nearestAt(place) : undefined;
   }
 }

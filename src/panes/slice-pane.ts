@@ -1,7 +1,9 @@
 import type { ProjectionKind } from '../optics/rays/ray-style.ts';
 import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
+import { scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Crosshair } from './crosshair.ts';
+import type { SlicePixels } from './fill-slice.ts';
 import { grayLevels } from './gray-levels.ts';
 import type { WindowFunction } from './gray-levels.ts';
 import { colorPainter, grayPainter } from './paint-slice.ts';
@@ -49,9 +51,25 @@ export class SlicePane {
   /** The frame after a person's zoom and movement; null for the whole volume. */
   #frame: PaneFrame | null = null;
   #crosshair: Crosshair;
+  #reading: Promise<void> = Promise.resolve();
 
-  constructor(crosshair: Crosshair) {
+  /** @param changed - more of the slice has come: it has to be drawn again */
+  constructor(
+    crosshair: Crosshair,
+    readonly changed: () => void,
+  ) {
     this.#crosshair = crosshair;
+  }
+
+  /** Resolves when all finer voxels of the present slice have come. */
+  get reading(): Promise<void> {
+    return this.#reading;
+  }
+
+  /** Nobody looks at it any more. */
+  leave(): void {
+    this.painter.stop();
+    this.#sliced?.volume.finer?.planes?.close(this);
   }
 
   get sliced(): SlicedVolume | null {
@@ -99,6 +117,7 @@ export class SlicePane {
 
   /** Shows another volume, or none. @param keep - whether to keep the zoomed frame */
   setVolume(sliced: SlicedVolume | null, keep = false): void {
+    if (sliced?.volume !== this.#sliced?.volume) this.#sliced?.volume.finer?.planes?.close(this);
     this.#sliced = sliced;
     if (!keep) this.#frame = null;
   }
@@ -126,13 +145,25 @@ export class SlicePane {
     const { projection } = appearance;
     const thickness = sliced.thicknessAt(d, { ...appearance, normal: plane.normal });
     const { volume } = sliced;
+    const [columns, rows] = [size.width, size.height].map((pixels) => Math.max(1, Math.round(pixels * ratio)));
+    const pixelsIn = (across: number, down: number): SlicePixels =>
+      pixelsOf(plane, frame, size, { d, columns: across, rows: down });
+    const slab = { normal: plane.normal, thickness, projection };
+    const { isNearest } = appearance;
+    const finer =
+      volume.finer?.planes?.open(
+        this,
+        { ...pixelsIn(columns, rows), way: scale(plane.normal, thickness), isNearest },
+        this.changed,
+      ) ?? null;
+    this.#reading = finer?.done ?? Promise.resolve();
     this.painter.paint({
-      columns: Math.max(1, Math.round(size.width * ratio)),
-      rows: Math.max(1, Math.round(size.height * ratio)),
-      pixelsOf: (columns, rows) => pixelsOf(plane, frame, size, { d, columns, rows }),
-      field: sliced.field(appearance.isNearest),
-      slab: { normal: plane.normal, thickness, projection },
-      samples: sliced.planesIn(plane.normal, thickness),
+      columns,
+      rows,
+      pixelsOf: pixelsIn,
+      field: finer ?? sliced.field(isNearest),
+      slab: finer ? { ...slab, planes: finer.planes } : slab,
+      samples: finer?.planes ?? sliced.planesIn(plane.normal, thickness),
       labels: this.labels,
       painter: appearance.colors
         ? colorPainter(appearance.colors, volume, volume.isDiscrete === true)
@@ -198,7 +229,7 @@ export class SlicePane {
     const [sliced, { box, frame }] = [this.#sliced, this];
     if (!sliced || !box || !frame) return;
     const fit = fitFrame(box, this.#size).scale;
-    const finest = Math.min(...sliced.grid.spacing) * zoomRange.voxel;
+    const finest = Math.min(...sliced.finest.spacing) * zoomRange.voxel;
     const wanted = clamp(frame.scale / factor, Math.min(finest, fit), fit / zoomRange.min);
     this.#frame = zoomFrame(frame, this.#size, frame.scale / wanted, point);
   }

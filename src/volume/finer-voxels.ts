@@ -1,6 +1,6 @@
 import type { GridFrame } from './grid.ts';
 import type { Macrocells } from './macrocells.ts';
-import type { Vector3 } from './matrix.ts';
+import type { Matrix4, Vector3 } from './matrix.ts';
 
 /**
  * A level of a pyramid that is read in bricks. `indexToWorld` is what the file says. So the place of a voxel in another level follows from both
@@ -44,8 +44,51 @@ export interface FinerVoxels {
   current<V extends BrickedValues>(volume: V): V;
   /** The stored value at a place of the unit cube, of the volume itself where nothing finer is there; NaN for no data. */
   storedAt(place: Vector3): number;
-  /** The value of the nearest voxel; undefined where the volume itself says more. */
+  /** The value of the nearest voxel that is there; undefined where the volume itself says more. */
   nearestAt(place: Vector3): number | undefined;
+  /** Planes of them; null before they can be read. */
+  readonly planes: PlaneVoxels | null;
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;
+}
+
+/** A plane or a slab that is looked at. */
+export interface ViewedPlane {
+  /** Pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** World: the middle of the first pixel, and from one pixel to the next. */
+  readonly first: Vector3;
+  readonly across: Vector3;
+  readonly down: Vector3;
+  /** World, from one side of the slab to the other, around the plane; zeros for a plane. */
+  readonly way: Vector3;
+  readonly isNearest: boolean;
+}
+
+/** What a plane shows now. */
+export interface PlaneField {
+  /** Of the level that is read. */
+  readonly worldToIndex: Matrix4;
+  /** The stored value at a place of that level, whole numbers at the middles of voxels; NaN where there is none. Where its voxels have not come, those of the volume. */
+  readonly sampleAt: (x: number, y: number, z: number) => number;
+  /** Planes of voxels in the slab; 1 for a plane. */
+  readonly planes: number;
+  /** Resolves when nothing more comes for this plane. */
+  readonly done: Promise<void>;
+}
+
+/** Finer voxels for planes and places: they are read where somebody looks, without the GPU. */
+export interface PlaneVoxels {
+  /**
+   * Begins to read what a plane needs, at the level that suits its pixels.
+   * @param owner - who looks: this plane takes the place of its last one
+   * @param changed - more has come: the plane has to be painted again
+   * @returns null where the volume itself is as fine as the pixels
+   */
+  open(owner: object, plane: ViewedPlane, changed: () => void): PlaneField | null;
+  /** Nobody looks any more. */
+  close(owner: object): void;
+  /** Reads the finest voxels at a place of the unit cube, for `FinerVoxels.nearestAt`. It does not reject: what cannot be read stays as it is. */
+  readAt(place: Vector3): Promise<void>;
 }

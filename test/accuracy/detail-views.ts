@@ -1,5 +1,7 @@
 // Random views of volumes in bricks, of which some are there: what the element says that the others hide, and what they do hide, by the float64 reference.
+import { brickSide } from '../../src/bricks/brick-data.ts';
 import { ResidentDetail } from '../../src/bricks/resident-detail.ts';
+import { measureResiduals } from '../../src/bricks/residuals.ts';
 import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
@@ -77,19 +79,19 @@ export interface DetailView {
   readonly true: CoveredError;
 }
 
-/** @param count - of views, the same in every run */
-export function* measureViews(count: number): Generator<DetailView> {
+/** @param count - of views, the same in every run @param hasTable - whether the writer of the pyramid says what its levels hide, as `volume-view-prepare` does */
+export function* measureViews(count: number, hasTable = false): Generator<DetailView> {
   const names = Object.keys(fields);
   const random = randomNumbers(11);
   const perField = Math.ceil(count / names.length);
   for (const name of names) {
     const field = fields[name](randomNumbers(3));
     const whole = syntheticVolume({ dimensions: [edge, edge, edge], field, slope: 255 });
-    for (let n = 0; n < perField; n++) yield measureView(name, whole, random);
+    for (let n = 0; n < perField; n++) yield measureView(name, whole, random, hasTable);
   }
 }
 
-function measureView(field: string, whole: Volume, random: () => number): DetailView {
+function measureView(field: string, whole: Volume, random: () => number, hasTable: boolean): DetailView {
   const { center, radius } = boundingSphere(whole.grid);
   const fieldOfView = 0.6;
   const orbit = {
@@ -105,6 +107,7 @@ function measureView(field: string, whole: Volume, random: () => number): Detail
   const optics = { transferFunction, referenceLength: edge / 4, opacityFactor: 1, lightFactor: 1 } as VolumeOptics;
   const bricked = cutIntoBricks(whole, 3, () => false);
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
+  if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
   const estimate = () => atOnce(estimateBricks(bricked.volume, bricked.volume.finer, detail, { view, optics }))!;
   // As the element does it: until what is said is within `max-error`, and not before the probes have come.
   const maxError = errors[Math.floor(errors.length * random())];

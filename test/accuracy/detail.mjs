@@ -9,15 +9,25 @@ const seen = 0.5;
 export async function run({ quick }) {
   /** @type {typeof import('./detail-views.ts')} */
   const { measureViews } = await loadModule('test/accuracy/detail-views.ts');
-  /** @type {import('./detail-views.ts').DetailView[]} */
-  const views = [];
-  for (const view of measureViews(quick ? 24 : 200)) {
-    views.push(view);
+  for (const hasTable of [false, true]) {
+    console.log(hasTable ? "With the table of the pyramid's writer:" : 'Without a table:');
+    tabulate([...logged(measureViews(quick ? 24 : 200, hasTable))]);
+  }
+}
+
+/** @param {Iterable<import('./detail-views.ts').DetailView>} views */
+function* logged(views) {
+  for (const view of views) {
     const { field, look, maxError, share, said, true: truth } = view;
     console.log(
       `${field}, look ${look}, max-error ${maxError}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
     );
+    yield view;
   }
+}
+
+/** @param {import('./detail-views.ts').DetailView[]} views */
+function tabulate(views) {
   const quantile = (/** @type {number[]} */ all, /** @type {number} */ share) => {
     const sorted = [...all];
     sorted.sort((a, b) => a - b);

@@ -1,7 +1,7 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
 import { atlasEdge } from '../../bricks/brick-layout.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
-import { chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
+import { chooseKeptBytes, shareOfBrick, usualGpuBytes } from '../base/brick-limits.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
 import { chooseBrickLevels } from './brick-levels.ts';
 import { chooseBrickNumbers } from './brick-numbers.ts';
@@ -29,7 +29,7 @@ export interface PinnedLevel {
 }
 
 /**
- * What is read of a pyramid in bricks: a page whose author says what they may take on the GPU, and whose finest level takes more.
+ * What is read of a pyramid in bricks: one whose finest level the device can't hold, or takes more than its author allows on the GPU.
  * @param boxes - all levels as wholes, the finest first @param arrayBox - what is read of a level's array
  * @returns null for what is read as a whole, or can't be read in bricks
  */
@@ -41,22 +41,21 @@ export function choosePinned(
 ): PinnedLevel | null {
   const { maxGpuBytes, finer, region, maxBytes, spacing, indexToWorld, clean, labelDetail } = settings;
   const isPlain = [region, maxBytes, spacing, indexToWorld, clean, labelDetail].every((one) => one === undefined);
-  if (!finer || maxGpuBytes === undefined || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
+  if (!finer || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
   const { array } = boxes[0].level;
   const numbers = chooseBrickNumbers(array.type, array.littleEndian, { slope: 1, intercept: 0 });
   const bytesOf = (box: LevelBox): number => countVoxels(box) * Math.min(4, array.type.bytesPerSample);
   const isSmall = (box: LevelBox, most: number): boolean =>
     bytesOf(box) <= most && Math.max(...box.dimensions) <= limits.maxVoxelsPerAxis && isReadable(box, arrayBox(box));
-  if (isSmall(boxes[0], Math.min(maxGpuBytes, limits.maxBytes))) return null;
-  const most = Math.min(pinnedBytes, maxGpuBytes * shareOfPinned, limits.maxBytes);
+  if (isSmall(boxes[0], Math.min(maxGpuBytes ?? Infinity, limits.maxBytes))) return null;
+  const bytes = maxGpuBytes ?? usualGpuBytes();
+  const most = Math.min(pinnedBytes, bytes * shareOfPinned, limits.maxBytes);
   const coarsest = boxes[boxes.length - 1];
   // It lies in one texture with the bricks.
   const hasRoom = ({ dimensions }: LevelBox): boolean => atlasEdge(dimensions) <= limits.maxVoxelsPerAxis;
   const box =
     boxes.find((one) => isSmall(one, most) && hasRoom(one)) ??
-    (hasRoom(coarsest) && isSmall(coarsest, Math.min(maxGpuBytes * shareOfCoarsest, limits.maxBytes))
-      ? coarsest
-      : null);
+    (hasRoom(coarsest) && isSmall(coarsest, Math.min(bytes * shareOfCoarsest, limits.maxBytes)) ? coarsest : null);
   const inBricks = chooseBrickLevels(image, chooseKeptBytes() * shareOfBrick).filter(
     ({ number }) => box && number < boxes.indexOf(box),
   );

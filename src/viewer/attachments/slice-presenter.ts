@@ -45,7 +45,7 @@ export interface SlicePresenterHost {
 
 /** Applies volumes and attributes to a pane, and draws it at most once a frame. */
 export class SlicePresenter {
-  readonly pane = new SlicePane(findCrosshair(null, this));
+  readonly pane = new SlicePane(findCrosshair(null, this), () => this.redraw());
   #error: VolumeViewError | null = null;
   #attributes: SliceAttributes | null = null;
   #input: PaneInput | null = null;
@@ -78,8 +78,13 @@ export class SlicePresenter {
 
   /** Resolves when the picture is final: nothing is being read, waits for a frame, or is being painted. */
   async drawn(): Promise<void> {
-    const stages = (): readonly Promise<void>[] => [this.#refreshing, this.#drawing, this.pane.painter.done];
-    for (let last: readonly Promise<void>[] = []; stages().some((stage, i) => stage !== last[i]);) {
+    const stages = (): readonly Promise<unknown>[] => [
+      this.#refreshing,
+      this.#drawing,
+      this.pane.reading,
+      this.pane.painter.done,
+    ];
+    for (let last: readonly Promise<unknown>[] = []; stages().some((stage, i) => stage !== last[i]);) {
       last = stages();
       for (const stage of last) await stage;
     }
@@ -103,7 +108,7 @@ export class SlicePresenter {
     this.#inView.leave();
     this.#placeParts([]);
     this.#run++;
-    this.pane.painter.stop();
+    this.pane.leave();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#settleDrawing();

@@ -4,7 +4,6 @@ import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
-import type { BrickStore } from '../../formats/base/brick-store.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { uploadBricks } from '../../renderer/ray/modules/bricks.ts';
@@ -13,7 +12,6 @@ import { pageBytes } from '../../renderer/textures/brick-textures.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import type { FinerLevel } from '../../volume/finer-voxels.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
-import { openBricks } from '../../worker/open-bricks.ts';
 import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
@@ -21,6 +19,8 @@ import { estimateBricks } from './brick-estimate.ts';
 import type { BrickEstimate, BrickPicture } from './brick-estimate.ts';
 import { BrickLoading } from './brick-loading.ts';
 import { BrickRoom } from './brick-room.ts';
+import { BrickSource } from './brick-source.ts';
+import { BrickTiles } from './brick-tiles.ts';
 
 /** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
 const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
@@ -58,6 +58,8 @@ export class BrickView implements ViewPart {
   readonly #detail: ResidentDetail;
   readonly #levels: readonly FinerLevel[];
   readonly #maxBytes: number;
+  readonly #source: BrickSource;
+  readonly #tiles: BrickTiles;
   /** Textures that have the bricks. */
   #users = 0;
   #life: AbortController | null = null;
@@ -93,6 +95,20 @@ export class BrickView implements ViewPart {
     );
     this.bricks.moving = true;
     this.#detail = new ResidentDetail(pinned, this.bricks);
+    this.#source = new BrickSource({
+      request,
+      pinned: pinned.grid,
+      levels: this.#levels,
+      fetch: parts.view.host.fetch,
+    });
+    this.#tiles = new BrickTiles({
+      volume: pinned,
+      levels: this.#levels,
+      bricks: this.bricks,
+      read: (brick, signal) => this.#source.read(brick, signal),
+      failed: (error) => this.#reportOnce(error),
+    });
+    this.bricks.planes = this.#tiles;
     this.volume = {
       ...pinned,
       levels: undefined,
@@ -177,6 +193,7 @@ export class BrickView implements ViewPart {
     if (--this.#users > 0) return;
     void this.parts.socket.leave(this);
     this.#life!.abort();
+    this.#tiles.rest();
     this.#settle();
     this.#wake();
   }
@@ -208,41 +225,36 @@ export class BrickView implements ViewPart {
   async #run(life: AbortSignal): Promise<void> {
     const { errors } = this.parts.view;
     try {
-      const store = await this.#open(life);
-      try {
-        await this.#load(store, life);
-      } finally {
-        this.#loading?.close();
-        this.#loading = null;
-        store.close();
-      }
+      await this.#source.open(life);
+      await this.#load(life);
     } catch (error) {
       if (life.aborted) return;
       errors.report('source', error);
+      this.#tiles.rest();
       this.#rest();
+    } finally {
+      this.#loading?.close();
+      this.#loading = null;
     }
   }
 
-  async #open(signal: AbortSignal): Promise<BrickStore> {
-    const { request, view } = this.parts;
-    const store = await openBricks(request, { signal, fetch: view.host.fetch });
-    const first = store?.levels.findIndex(
-      ({ dimensions }) => String(dimensions) === String(this.#levels[0].dimensions),
-    );
-    const isSame = this.#levels.every(
-      ({ dimensions }, n) => String(dimensions) === String(store?.levels[first! + n]?.dimensions),
-    );
-    if (!store || !isSame) {
-      store?.close();
-      throw new Error('the levels of the pyramid have changed, or no worker reads them');
-    }
-    return {
-      ...store,
-      read: ({ level, at }, own) => store.read({ level: level + first!, at }, own),
-    };
+  /** Where one brick can't be read, many can't. */
+  #reportOnce(error: unknown): void {
+    if (!this.#hasFailed) this.parts.view.errors.report('source', error);
+    this.#hasFailed = true;
   }
 
-  async #load(store: BrickStore, life: AbortSignal): Promise<void> {
+  /** Without a table, what bricks hide is learnt from those that come. */
+  async #readTable(life: AbortSignal): Promise<void> {
+    try {
+      const found = await this.#source.readTable(life);
+      if (found && !life.aborted) this.#detail.take(found.table, found.levels);
+    } catch (error) {
+      if (!life.aborted) this.parts.view.errors.report('source', error);
+    }
+  }
+
+  async #load(life: AbortSignal): Promise<void> {
     const { bricks } = this;
     const bytes = this.#bytesOfBrick;
     pageRoom.bytes = Math.max(pageRoom.bytes, this.#maxBytes);
@@ -258,7 +270,7 @@ export class BrickView implements ViewPart {
         leave: (changed) => pageRoom.leave(changed),
       },
       read: async (brick, signal) => {
-        const samples = await store.read(brick, signal);
+        const samples = await this.#source.read(brick, signal);
         this.#detail.measure(brick, samples);
         return samples;
       },
@@ -270,13 +282,17 @@ export class BrickView implements ViewPart {
         void this.#drawSoon();
       },
       failed: (error) => {
-        // Once: where one can't be read, many can't.
-        if (!this.#hasFailed) this.parts.view.errors.report('source', error);
-        this.#hasFailed = true;
+        this.#reportOnce(error);
         this.#wake();
       },
     }));
     bricks.fit(this.#capacity);
+    let isAsking = true;
+    void this.#readTable(life).finally(() => {
+      isAsking = false;
+      this.#changes++;
+      this.#wake();
+    });
     for (let exchanges = 0, last = ''; !life.aborted;) {
       const picture = this.#picture;
       const changes = this.#changes;
@@ -299,12 +315,15 @@ export class BrickView implements ViewPart {
           worth: (brick) => found.gains.worth(brick) / bytes,
         });
       }
-      if (picture && loading.requests === 0 && this.#picture === picture && this.#changes === changes) this.#rest();
+      const isOver = loading.requests === 0 && !isAsking;
+      if (picture && isOver && this.#picture === picture && this.#changes === changes) this.#rest();
       // Until the list is used up, or there is another view.
       const isDue = (): boolean =>
         life.aborted ||
         this.#picture !== picture ||
-        (loading.requests === 0 && (this.#changes !== changes || this.bricks.moving) && this.#picture !== null);
+        (loading.requests === 0 &&
+          (this.#changes !== changes || (this.bricks.moving && !isAsking)) &&
+          this.#picture !== null);
       while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
     }
   }

@@ -8,6 +8,12 @@ export interface PickOptions {
    * `max`: where the largest visible value is; `half`: where half of the final opacity is reached.
    */
   readonly at?: PickAt;
+  /**
+   * Of a volume in bricks: whether the finest voxel of the place is read first, which may take a request. Else the value is that of the finest voxel that
+   * is there.
+   * @default true
+   */
+  readonly finest?: boolean;
 }
 
 /** What is at the place of the picture that somebody pointed at. */

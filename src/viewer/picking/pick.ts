@@ -91,6 +91,7 @@ export async function pickOnRay(
     look: appearance,
   });
   if (!found) return null;
+  if (options?.finest !== false) await volume.finer?.planes?.readAt(found.place);
   const onRay = { place: found.place, ray, rays, stages };
   if (end?.isPicked(ray, found.place))
     return { ...onRay, pick: surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace) };

@@ -8,7 +8,9 @@ import { setUpRays } from '../../../src/optics/rays/rays.ts';
 import { ResidentDetail } from '../../../src/bricks/resident-detail.ts';
 import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
 import { measureResiduals } from '../../../src/bricks/residuals.ts';
+import { holdsBrick } from '../../../src/bricks/hidden-values.ts';
 import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
+import type { Bricked } from '../../helpers/bricks.ts';
 import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const edge = 128;
@@ -30,6 +32,17 @@ function makeRough() {
     made.volume.finer.add(brick, samples);
   };
   return { ...made, detail, add, table: measureResiduals(made.pyramid, 32) };
+}
+
+/** The same, with what its writer would say. */
+function makeWritten() {
+  const { detail, add, table, ...bricked } = makeRough();
+  return { detail, add, table, bricked };
+}
+
+function probesOf({ layout, volume }: Pick<Bricked, 'layout' | 'volume'>, detail: ResidentDetail): Brick[] {
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.6, 1, 1, 2))!;
+  return probeBricks(layout, rays, (brick) => detail.isMeasured(brick));
 }
 
 describe('what bricks hide', () => {
@@ -85,6 +98,62 @@ describe('what bricks hide', () => {
     expect(detail.levelOf(detail.cellAt(0.1, 0.1, 0.1))).to.equal(0);
     expect(detail.range[0]).to.be.below(low);
     expect(detail.range[1]).to.be.above(high);
+  });
+});
+
+describe('what bricks hide, by the table of their writer', () => {
+  it('is what the table says of each block and level, with its values; no brick has to come first', () => {
+    const { detail, table, bricked } = makeWritten();
+    detail.take(table, [0, 1, 2]);
+    detail.update();
+    expect(probesOf(bricked, detail)).to.deep.equal([]);
+    // Blocks of 32 voxels: 4 along each axis.
+    for (const at of [
+      [0, 0, 0],
+      [3, 1, 2],
+      [2, 3, 3],
+    ]) {
+      const block = at[0] + 4 * (at[1] + 4 * at[2]);
+      const [x, y, z] = at.map((n) => (n + 0.5) / 4);
+      const found = detail.blockAt(x, y, z);
+      for (const level of [1, 2]) {
+        expect(detail.rms(found, level)).to.equal(table.levels[level].rms[block]);
+        expect(detail.max(found, level)).to.equal(table.levels[level].max[block]);
+      }
+      expect([detail.low(found), detail.high(found)]).to.deep.equal([table.low[block], table.high[block]]);
+    }
+    expect(detail.range[1]).to.equal(Math.max(...table.high));
+  });
+
+  it('counts for a file of more levels than bricks have, too', () => {
+    const { detail, table } = makeWritten();
+    const more = { ...table, levels: [table.levels[0], table.levels[1], table.levels[1], table.levels[2]] };
+    detail.take(more, [0, 1, 3]);
+    const block = detail.blockAt(0.9, 0.1, 0.1);
+    expect(detail.rms(block, 2)).to.equal(table.levels[2].rms[3]);
+  });
+
+  it('counts until a brick has values that the table does not have: one that was there before it, or comes later', () => {
+    for (const isThere of [true, false]) {
+      const { detail, table, bricked, add } = makeWritten();
+      const brick = { level: 0, at: [1, 1, 1] } as const;
+      if (isThere) add(brick);
+      const high = table.high.slice();
+      high[1 + 4 * (1 + 4)] -= 0.1;
+      detail.take({ ...table, high }, [0, 1, 2]);
+      if (!isThere) {
+        expect(probesOf(bricked, detail)).to.deep.equal([]);
+        add(brick);
+      }
+      expect(probesOf(bricked, detail)).to.have.length.above(0);
+    }
+  });
+
+  it('holds each brick of each level of the volume that it was made of', () => {
+    const { table, bricked } = makeWritten();
+    for (const level of [0, 1])
+      for (const brick of listBricks(bricked.pyramid, level))
+        expect(holdsBrick(table, bricked.layout, brick, readBrick(bricked.pyramid, brick))).to.equal(true);
   });
 });
 

@@ -1,10 +1,15 @@
 // An OME-Zarr that is larger than its page allows: a coarse level as a whole, then bricks as the view needs them. The page's own function fetches.
 import { expect } from '@esm-bundle/chai';
+import { gzipSync } from 'fflate';
+import '../../../../components/volume-slice-view/define.ts';
 import '../../../../components/volume-view/define.ts';
 import type { VolumeView } from '../../../../components/volume-view/volume-view.ts';
+import { makeOmeZarr } from '../../../../src/prepare/write-ome-zarr.ts';
+import type { RenderStats } from '../../../../src/viewer/model/render-stats.ts';
 import { compareCovered } from '../../../helpers/covered-error.ts';
 import { formulaFiles, formulaOf } from '../../../helpers/formula-pyramid.ts';
 import type { FormulaPyramid } from '../../../helpers/formula-pyramid.ts';
+import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** Fetches from a formula, and counts. */
 function serve(pyramid: FormulaPyramid, delay = 0) {
@@ -121,6 +126,103 @@ describe('a pyramid in bricks on a page', () => {
     console.log(`bricks hide ${rms.toFixed(2)}, stated ${said.toFixed(2)}; ${JSON.stringify(log)}`);
     expect(said).to.be.within(0.2, 4);
     expect(said / rms).to.be.within(1 / 3, 3);
+  });
+
+  it('shows single bright voxels that leave no trace in coarse levels, where the writer of the pyramid says where they are', async function () {
+    this.timeout(90_000);
+    const random = randomNumbers(5);
+    const edge = 128;
+    const volume = syntheticVolume({
+      dimensions: [edge, edge, edge],
+      slope: 255,
+      field: (x) => (x > 0.5 && random() < 0.001 ? 1 : 0.1),
+    });
+    const files = new Map(makeOmeZarr(volume, (bytes) => gzipSync(bytes)).files);
+    const asked: string[] = [];
+    const fetch = async (url: RequestInfo | URL): Promise<Response> => {
+      const path = new URL(url as string).pathname.slice('/x.ome.zarr/'.length);
+      asked.push(path);
+      const bytes = files.get(path);
+      return bytes ? new Response(bytes as Uint8Array<ArrayBuffer>) : new Response(null, { status: 404 });
+    };
+    const shown: Uint8ClampedArray[] = [];
+    let bricked: RenderStats | null = null;
+    const ways: Record<string, string>[] = [{}, { 'max-gpu-bytes': '2e5' }];
+    for (const more of ways) {
+      const view = addView(fetch, {
+        'transfer-function': '0 #247 0, 120 #247 0, 150 #fd8 100%, 255 #fff 100%',
+        'camera-orbit': '30deg 65deg 300',
+        ...more,
+      });
+      await view.whenRendered();
+      shown.push(await pixelsOf(view));
+      bricked = view.renderStats;
+      view.remove();
+    }
+    const { rms } = compareCovered(shown[1], shown[0], 1);
+    const said = bricked!.error!.parts!.detail!.rms;
+    console.log(`specks: ${rms.toFixed(2)} missing, ${said.toFixed(2)} stated`);
+    expect(asked).to.include('volume-view/residual-rms-1/zarr.json');
+    expect(bricked!.converged).to.equal(true);
+    expect(rms).to.be.below(1.5);
+    expect(said).to.be.below(1);
+  });
+
+  it('has panes as fine as those of the whole, and picks of the finest voxel, whatever bricks the picture needs', async function () {
+    this.timeout(90_000);
+    const { fetch, log } = serve({ dimensions: [128, 128, 128], levels: 3 });
+    const far = { ...look, 'camera-orbit': '30deg 65deg 300' };
+    const shown: { pane: Uint8ClampedArray; thick: Uint8ClampedArray; value: number; paneValue: number }[] = [];
+    const ways: Record<string, string>[] = [{}, { 'max-gpu-bytes': '1e5', 'max-error': '32' }];
+    for (const more of ways) {
+      const view = addView(fetch, { ...far, ...more });
+      view.id = 'shown';
+      const pane = document.createElement('volume-slice-view');
+      pane.style.cssText = 'width: 160px; height: 160px';
+      for (const [name, value] of Object.entries({
+        for: 'shown',
+        type: 'coronal',
+        'value-window': '40 220',
+        cursor: '3.5 10.5 -7.5',
+      }))
+        pane.setAttribute(name, value);
+      document.body.append(pane);
+      await view.whenRendered();
+      const paint = async (): Promise<Uint8ClampedArray> => {
+        await pane.whenRendered();
+        const canvas = pane.shadowRoot!.querySelector('canvas')!;
+        return canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data;
+      };
+      const cursor = new Promise<number>((resolve) =>
+        pane.addEventListener(
+          'cursor-change',
+          (event) => resolve((event as CustomEvent<{ value: number }>).detail.value),
+          { once: true },
+        ),
+      );
+      const plain = await paint();
+      pane.setAttribute('thickness', '6');
+      pane.setAttribute('projection', 'max');
+      const thick = await paint();
+      pane.setAttribute('cursor', '3.5 10.5 -6.5');
+      const paneValue = await cursor;
+      const value = (await view.pick(48, 36))!.value;
+      shown.push({ pane: plain, thick, value, paneValue });
+      if (more['max-gpu-bytes']) {
+        expect(view.volume!.dimensions).to.deep.equal([32, 32, 32]);
+        console.log(`levels asked for: ${JSON.stringify(log.byLevel)}`);
+      }
+      pane.remove();
+      view.remove();
+    }
+    const [whole, bricked] = shown;
+    expect(compare(bricked.pane, whole.pane).worst).to.be.at.most(1);
+    // Bricks are sampled at planes, the whole exactly between them.
+    expect(compare(bricked.thick, whole.thick).rms).to.be.below(6);
+    expect(bricked.paneValue).to.equal(whole.paneValue);
+    expect(bricked.value).to.be.closeTo(whole.value, 40);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    expect(log.alive).to.equal(0);
   });
 
   it('asks for at most 8 files at once, keeps what the page allows, and asks for nothing once it has left', async function () {

@@ -52,6 +52,11 @@ describe('a pyramid of which the GPU may not hold the finest level', () => {
     expect(grid.dimensions[0]).to.equal(300);
   });
 
+  it('comes in bricks by itself where the device can not hold the finest level', async () => {
+    const { grid, levels, reduced } = await read({ finer: true }, { limits: { maxBytes: 40_000 } });
+    expect([grid.dimensions, levels!.length, reduced]).to.deep.equal([[20, 12, 16], 1, undefined]);
+  });
+
   it('leaves out levels whose table the device can not hold', async () => {
     const long = { ...made, shape: [1, 1, 9000], levels: 6 };
     const { levels } = await read(
@@ -64,7 +69,7 @@ describe('a pyramid of which the GPU may not hold the finest level', () => {
   for (const [name, settings, more] of [
     ['it fits', { maxGpuBytes: 70_000 }, {}],
     ['nobody asks for bricks', { finer: false }, {}],
-    ['its author does not say what bricks may take', { maxGpuBytes: undefined }, {}],
+    ['the device holds it, and its author does not say what bricks may take', { maxGpuBytes: undefined }, {}],
     ['its author chooses a region', { region: [-1, -1, -1, 1, 1, 1] }, {}],
     ['its author says how large the level may be', { maxBytes: 50_000 }, {}],
     ['its author places its voxels', { spacing: [1, 1, 1] }, {}],

@@ -19,7 +19,7 @@ const volume = { ...syntheticVolume({ dimensions, spacing: [2, 3, 4] }), grid } 
 const size = { width: 300, height: 220 };
 
 function paneOf(type: SliceType, thickness = 0, normal: Vector3 = [1, 2, 0.5]): SlicePane {
-  const pane = new SlicePane(new Crosshair());
+  const pane = new SlicePane(new Crosshair(), () => {});
   pane.setVolume(new SlicedVolume(volume, grid));
   pane.setSize(size, 2);
   pane.setLook({
