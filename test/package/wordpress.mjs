@@ -6,6 +6,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { runInNewContext } from 'node:vm';
 import { gatherPlugin } from '../../scripts/build-wordpress.mjs';
 import { findOnPath } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
@@ -70,6 +71,23 @@ await check('each program of the plugin runs only in WordPress, and none names a
   }
 });
 
+await check('the block stands while an author types an address letter by letter', () => {
+  let previews = 0;
+  for (const name of ['src', 'poster']) {
+    for (const whole of ['https://example.org:8080/a.png', '/uploads/a.png', 'http://[::1]/a.png']) {
+      for (let length = 1; length <= whole.length; length++) {
+        const tag = drawBlock({ src: '/a.nii', poster: '', [name]: whole.slice(0, length) });
+        if (!tag) continue; // The fields are there, with a sentence on addresses.
+        previews += 1;
+        for (const text of tag.values()) assert.match(text, /^https?:\/\/[^/]+\//);
+      }
+      const { poster, src } = Object.fromEntries(drawBlock({ src: '/a.nii', poster: '', [name]: whole }) ?? []);
+      assert.equal({ src, poster }[name], new URL(whole, 'https://site.example').href);
+    }
+  }
+  return `${previews} previews`;
+});
+
 await check('each sentence names the text domain, and the template has it', () => {
   const template = read('languages/volume-view.pot');
   let count = 0;
@@ -105,6 +123,61 @@ await check('each translation is one of a sentence, and has its placeholders', (
   });
   return notes.join(', ');
 });
+
+/**
+ * Draws the block as the editor does, with what it takes of WordPress and React as plain functions.
+ * @param {Record<string, string>} attributes
+ * @returns the attributes of the element in the preview; null where there is no preview
+ */
+function drawBlock(attributes) {
+  /** @type {Map<string, string>} */
+  const texts = new Map();
+  const element = {
+    removeAttribute: (/** @type {string} */ name) => texts.delete(name),
+    getAttribute: (/** @type {string} */ name) => texts.get(name) ?? null,
+    setAttribute: (/** @type {string} */ name, /** @type {string} */ text) => texts.set(name, text),
+  };
+  let hasPreview = false;
+  /** @typedef {{ type: unknown, props: object, children: unknown[] }} Part */
+  const createElement = (
+    /** @type {unknown} */ type,
+    /** @type {object} */ props,
+    /** @type {unknown[]} */ ...children
+  ) => ({ type, props, children });
+  const draw = (/** @type {unknown} */ part) => {
+    if (Array.isArray(part)) return part.forEach(draw);
+    if (typeof part !== 'object' || part === null) return;
+    const { type, props, children } = /** @type {Part} */ (part);
+    hasPreview ||= type === 'volume-view';
+    if (typeof type === 'function') draw(type(props ?? {}));
+    draw(children);
+  };
+  /** @type {{ edit: (props: object) => Part }[]} */
+  const blocks = [];
+  const window = {
+    location: { origin: 'https://site.example' },
+    volumeViewTable: { kinds: { src: 'addresses', poster: 'address' }, choices: {}, descriptions: {}, companions: [] },
+    wp: {
+      element: {
+        createElement,
+        Fragment: 'fragment',
+        useEffect: (/** @type {() => void} */ run) => run(),
+        useRef: () => ({ current: element }),
+        useState: (/** @type {unknown} */ first) => [first, () => {}],
+      },
+      blockEditor: { useBlockProps: () => ({}) },
+      components: {},
+      htmlEntities: { decodeEntities: String },
+      i18n: { __: String },
+      blocks: {
+        registerBlockType: (/** @type {string} */ _, /** @type {typeof blocks[0]} */ block) => blocks.push(block),
+      },
+    },
+  };
+  runInNewContext(read('block/editor.js'), { window, URL, setTimeout: () => 0 });
+  draw(blocks[0].edit({ attributes: { caption: '', ...attributes }, setAttributes: () => {}, isSelected: false }));
+  return hasPreview ? texts : null;
+}
 
 /** The elements of a page that the plugin may write, with their attributes. @type {Record<string, string[]>} */
 const allowedIn = {

@@ -36,7 +36,8 @@ export function checkText(name: string, text: string, base: string): string | nu
   if (problem !== null) return problem;
   if (text.length > longestText) return `${name} has ${text.length} characters; expected at most ${longestText}`;
   if (name !== 'src' && name !== 'poster') return null;
-  const addresses = text.split(/[\t\n\f\r ]+/).filter(Boolean);
+  // A poster is one image: blanks are part of its address.
+  const addresses = (name === 'poster' ? [text.trim()] : text.split(/[\t\n\f\r ]+/)).filter(Boolean);
   if (addresses.length === 0) return `${name} names no file`;
   return addresses.every((one) => isFetched(one, base))
     ? null

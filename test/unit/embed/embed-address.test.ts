@@ -26,6 +26,7 @@ const badAddresses = [
   'https://user:secret@evil.example/a.nii',
   'https://',
   'a.nii javascript:alert(1)',
+  'https://a b',
 ];
 const badNames = [
   'onload',
@@ -86,6 +87,15 @@ describe('the address of the page for frames', () => {
     expect(length).to.equal(8);
   });
 
+  it('takes a poster whose address has blanks, and refuses one that can not be read', () => {
+    expect(of('src=a.nii&poster=my+image.png').poster).to.equal('https://museum.example/dist/my%20image.png');
+    // Each part of it could be an address.
+    const plan = of('src=a.nii&poster=https://a+b');
+    expect([plan.poster, plan.attributes]).to.deep.equal([null, [['src', 'a.nii']]]);
+    expect(plan.problems[0]).to.match(/^poster got an address that this page does not fetch/);
+    expect(of('poster=+').problems).to.deep.equal(['poster names no file']);
+  });
+
   it('takes companions, a lesson, a poster, a language and origins', () => {
     const plan = of(
       'src=a.nii+b.nii&legend&readout&timeline&poster=p.png&lang=de&parent=https://a.example/x+https://b.example',
@@ -121,7 +131,8 @@ describe('the address of the page for frames', () => {
       for (const [name, text] of plan.attributes) {
         expect(viewAttributes.has(name), name).to.equal(true);
         expect(text.length).to.be.at.most(16_000);
-        if (name === 'src' || name === 'poster')
+        if (name === 'poster') expect(new URL(text, page).protocol, text).to.match(/^https?:$/);
+        if (name === 'src')
           for (const one of text.split(/[\t\n\f\r ]+/).filter(Boolean))
             expect(new URL(one, page).protocol, text).to.match(/^https?:$/);
       }
@@ -224,7 +235,8 @@ describe('messages to the page for frames', () => {
       if (request.kind === 'set')
         for (const [name, text] of request.attributes) {
           expect(viewAttributes.has(name), name).to.equal(true);
-          if (text !== null && (name === 'src' || name === 'poster'))
+          if (text !== null && name === 'poster') expect(isFetched(text, page), text).to.equal(true);
+          if (text !== null && name === 'src')
             for (const one of text.split(/\s+/).filter(Boolean)) expect(isFetched(one, page), text).to.equal(true);
         }
       if (request.kind === 'step')

@@ -82,18 +82,22 @@
   /** A text as the author wrote it: of one who may write no HTML, WordPress keeps `&amp;` for `&`. */
   const plain = (value) => (typeof value === 'string' ? decodeEntities(value) : value);
 
+  /** The whole address; null for what is none yet, such as `https://`: authors type it letter by letter. */
+  function readAddress(text) {
+    try {
+      return new URL(text, window.location.origin).href;
+    } catch {
+      return null;
+    }
+  }
+
   /** As the server takes them, see includes/addresses.php. */
-  const isAddress = (text) => /^(?:https?:\/\/|\/)/i.test(text);
+  const isAddress = (text) => /^(?:https?:\/\/|\/)/i.test(text) && readAddress(text) !== null;
   const areAddresses = (text) => text.trim().split(/\s+/).every(isAddress);
 
   /** What the preview has; a relative address counts from the site, since the frame of the editor has no address of its own. */
   function attributesOfTag(attributes) {
-    const absolute = (text) =>
-      text
-        .trim()
-        .split(/\s+/)
-        .map((one) => new URL(one, window.location.origin).href)
-        .join(' ');
+    const absolute = (text) => text.trim().split(/\s+/).map(readAddress).join(' ');
     return Object.entries(kinds).flatMap(([name, kind]) => {
       const value = plain(attributes[name]);
       if (kind === 'flag') return value ? [[name, '']] : [];
