@@ -106,6 +106,7 @@ const allParts = [
     counts: true,
     after: 'Docs: the reference is what the code says',
   },
+  { title: 'Tests in Python that can not run', args: ['test/package/python-missing.mjs'], counts: true },
   {
     title: 'The widget for notebooks, in Python',
     args: ['test/package/jupyter.mjs'],
