@@ -1,4 +1,5 @@
 // The pictures of the guides in docs: pages as a reader sees them, photographed by make-images.mjs. Each has the markup that its guide explains.
+import { join } from 'node:path';
 
 /** @typedef {import('@playwright/test').Page} Page */
 /**
@@ -187,5 +188,23 @@ export async function photographGuide(page, { size: [width, height], html, css =
   await page.waitForTimeout(1500);
   await settle();
   await page.waitForTimeout(500);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
+ * A photograph of the gallery of an archive, which make-images.mjs does not make itself, as it takes minutes. It has copies of the scans of
+ * demos/data: `volume-view-archive SCANS --out FOLDER`, then `VOLUME_VIEW_ARCHIVE=FOLDER node docs/images/make-images.mjs guide-archive`.
+ * @param {Page} page - of the development server
+ * @param {string} folder
+ */
+export async function photographArchive(page, folder) {
+  await page.setViewportSize({ width: 1000, height: 650 });
+  await page.route('**/archive/**', (route) => {
+    const path = new URL(route.request().url()).pathname.replace('/archive/', '');
+    return route.fulfill({ path: join(folder, path) });
+  });
+  await page.goto(new URL('/archive/index.html', page.url()).href);
+  await page.getByRole('listitem').first().waitFor();
+  await page.waitForLoadState('networkidle');
   return (await page.screenshot()).toString('base64');
 }

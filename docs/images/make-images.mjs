@@ -6,7 +6,7 @@ import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
-import { guidePictures, photographGuide } from './guide-pictures.mjs';
+import { guidePictures, photographArchive, photographGuide } from './guide-pictures.mjs';
 
 /** @typedef {{ attributes: Record<string, string>, children?: string, background?: string }} Part - drawn side by side */
 /** @typedef {{ file: string, size: [number, number], columns?: number, parts: Part[] }} Picture */
@@ -612,6 +612,12 @@ const postersOf = (lesson, count) =>
     { file: `demos/images/${lesson}-${i + 1}.webp`, size: [480, 360], parts: [] },
     (one) => photographStep(one, lesson, i + 1, 'print'),
   ]);
+const archive = process.env.VOLUME_VIEW_ARCHIVE;
+/** @type {(folder: string) => [Picture, Photographer]} */
+const photographOfArchive = (folder) => [
+  { file: 'docs/images/guide-archive.webp', size: [1000, 650], parts: [] },
+  (one) => photographArchive(one, folder),
+];
 /** @type {Map<Picture, Photographer>} */
 const photographs = new Map([
   [card('companions', []), photographCompanions],
@@ -624,6 +630,7 @@ const photographs = new Map([
   [card('compare', []), photographCompare],
   [card('open-files', []), photographOpenFiles],
   ...guidePictures.map(photographFor),
+  ...(archive ? [photographOfArchive(archive)] : []),
   [card('brain-lesson', []), (one) => photographStep(one, 'brain-lesson', 6, 'card')],
   ...postersOf('brain-lesson', 7),
   ...postersOf('storm-lesson', 4),

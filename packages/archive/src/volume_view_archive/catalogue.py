@@ -65,9 +65,10 @@ def _entry(line):
 
 def _words(entry):
     radar = entry.get("radar", {})
+    kind = "radar" if radar else ""
     return " ".join(
         str(one)
-        for one in (entry["title"], entry["format"], entry["unit"], "x".join(map(str, entry["dimensions"])), entry.get("time", ""), radar.get("name", ""), radar.get("moment", ""))
+        for one in (entry["title"], kind, entry["format"], entry["unit"], "x".join(map(str, entry["dimensions"])), entry.get("time", ""), radar.get("name", ""), radar.get("moment", ""))
         if one
     ).lower()
 
