@@ -43,6 +43,8 @@ export class ResidentBricks implements FinerVoxels {
   /** Whether the present view gets more of them. */
   moving = false;
   error: FinerVoxels['error'] = null;
+  /** Of all textures: what uploads them says it. */
+  bytesOnGpu = 0;
   /** Bricks that were read for planes and picks. */
   planes: (PlaneVoxels & { samplesOf(brick: Brick): Samples | undefined }) | null = null;
   /** Slots that there may be, and slots for which the GPU has memory. */
@@ -111,6 +113,10 @@ export class ResidentBricks implements FinerVoxels {
 
   get count(): number {
     return this.#bricks.size;
+  }
+
+  get held(): FinerVoxels['held'] {
+    return { count: this.count, bytes: this.bytesOnGpu };
   }
 
   /** Slots that were ever used: the others need no memory. */

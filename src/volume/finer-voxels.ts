@@ -38,6 +38,8 @@ export interface FinerVoxels {
   readonly moving: boolean;
   /** What the voxels that are not there leave in the present picture, in 1/255, as far as it is known: see `ErrorPart`. */
   readonly error: { readonly rms: number; readonly p99: number; readonly max: number | null } | null;
+  /** What the GPU has: bricks, and all bytes. */
+  readonly held: { readonly count: number; readonly bytes: number };
   /**
    * The volume with the macrocells and the range of values of now: another object if they have changed since the last call, so that what is made of them is made again.
    */

@@ -15,6 +15,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { estimateBricks } from '../../src/viewer/loading/brick-estimate.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { atOnce } from '../../src/core/waiting.ts';
+import type { Brick } from '../../src/bricks/pyramid.ts';
 import { cutIntoBricks, readBrick } from '../helpers/bricks.ts';
 import type { Bricked } from '../helpers/bricks.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
@@ -109,17 +110,21 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
   const estimate = () => atOnce(estimateBricks(bricked.volume, bricked.volume.finer, detail, { view, optics }))!;
-  // As the element does it: until what is said is within `max-error`, and not before the probes have come.
+  // As the element does it: probes come first, level by level, and go; then what brings most, until what is said is within `max-error`.
   const maxError = errors[Math.floor(errors.length * random())];
+  const add = (brick: Brick): void => {
+    const samples = readBrick(bricked.pyramid, brick);
+    detail.measure(brick, samples);
+    bricked.volume.finer.add(brick, samples);
+  };
   let now = estimate();
-  while (now.probes.length > 0 || now.error.rms > maxError) {
-    const best = now.error.rms > maxError ? now.gains.rank(turn, 1, () => false).map(({ brick }) => brick) : [];
-    if (now.probes.length + best.length === 0) break;
-    for (const brick of [...now.probes, ...best]) {
-      const samples = readBrick(bricked.pyramid, brick);
-      detail.measure(brick, samples);
-      bricked.volume.finer.add(brick, samples);
-    }
+  for (; now.probes.length > 0; now = estimate()) now.probes.forEach(add);
+  for (const brick of [...bricked.volume.finer.bricks]) bricked.volume.finer.remove(brick);
+  now = estimate();
+  while (now.error.rms > maxError) {
+    const best = now.gains.rank(turn, 1, () => false);
+    if (best.length === 0) break;
+    for (const { brick } of best) add(brick);
     now = estimate();
   }
   const said = now.error.rms;

@@ -130,6 +130,7 @@ export class BrickTextures {
     this.#atlas = gl.createTexture();
     this.#written.length = 0;
     this.#layers = layers;
+    this.bricks.bytesOnGpu = this.bytes;
     gl.bindTexture(gl.TEXTURE_3D, this.#atlas);
     gl.texStorage3D(gl.TEXTURE_3D, 1, this.packing.texels.internal, width, height, depth + layers * slotSide);
     return gl.getError() !== gl.OUT_OF_MEMORY;

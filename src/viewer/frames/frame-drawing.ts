@@ -115,7 +115,14 @@ export class FrameDrawing {
     const converged = this.#converges(drawn);
     const error = converged ? this.quality.error : null;
     // A picture that shows nothing keeps no error target.
-    const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
+    const bricks = this.pictures.parts.shown.volume?.finer?.held;
+    const stats = {
+      ...drawn,
+      converged,
+      error,
+      keepsMaxError: error && this.quality.isKept && error.rays > 0,
+      ...(bricks && { bricks }),
+    };
     this.notify(stats);
     this.isFinal = converged;
     this.pictures.parts.loop.wake();

@@ -1,7 +1,7 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
 import { layBricks, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
-import { ResidentBricks } from '../../bricks/resident-bricks.ts';
+import { keyOfBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
@@ -69,6 +69,8 @@ export class BrickView implements ViewPart {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
+  /** Bricks that were only asked for to look at them. */
+  readonly #probes = new Set<string>();
   #isDrawingSoon = false;
   #hasFailed = false;
   /** How long the last picture took that showed new bricks. */
@@ -117,16 +119,6 @@ export class BrickView implements ViewPart {
       macrocells: this.bricks.macrocells,
       finer: this.bricks,
     };
-  }
-
-  /** Bytes on the GPU. */
-  get bytes(): number {
-    return this.bricks.slots * this.#bytesOfBrick + this.#fixedBytes;
-  }
-
-  /** Requests that are on their way. */
-  get requests(): number {
-    return this.#loading?.requests ?? 0;
   }
 
   get #bytesOfBrick(): number {
@@ -306,12 +298,13 @@ export class BrickView implements ViewPart {
         bricks.error = found.error;
         const isEnough = found.error.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
         const probes = found.probes.filter((brick) => !loading.isRefused(brick));
+        if (probes.length === 0 && this.#removeProbes()) continue;
         const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
+        const best = isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick));
+        for (const brick of probes) this.#probes.add(keyOfBrick(brick));
+        for (const { brick } of best) this.#probes.delete(keyOfBrick(brick));
         loading.want({
-          missing: [
-            ...probes.map((brick) => ({ brick, gain: Infinity, bytes })),
-            ...(isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick))),
-          ],
+          missing: [...probes.map((brick) => ({ brick, gain: Infinity, bytes })), ...best],
           worth: (brick) => found.gains.worth(brick) / bytes,
         });
       }
@@ -326,6 +319,18 @@ export class BrickView implements ViewPart {
           this.#picture !== null);
       while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
     }
+  }
+
+  /**
+   * Probes have said what levels hide. They go, because rays are sampled as finely as the finest brick that is there: those that bring something come again.
+   * @returns whether there were any
+   */
+  #removeProbes(): boolean {
+    const probes = [...this.bricks.bricks].filter((brick) => this.#probes.has(keyOfBrick(brick)));
+    for (const brick of probes) this.bricks.remove(brick);
+    this.#probes.clear();
+    if (probes.length > 0) this.#changes++;
+    return probes.length > 0;
   }
 
   /** With time for the page in between. */

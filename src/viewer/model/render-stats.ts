@@ -32,4 +32,6 @@ export interface RenderStats {
    * `picture-blank`. null where `error` is null.
    */
   readonly keepsMaxError: boolean | null;
+  /** Of a pyramid in bricks: those that are on the GPU, and all bytes there. */
+  readonly bricks?: { readonly count: number; readonly bytes: number };
 }
