@@ -193,12 +193,12 @@ export async function photographGuide(page, { size: [width, height], html, css =
 
 /**
  * A photograph of the gallery of an archive, which make-images.mjs does not make itself, as it takes minutes. It has copies of the scans of
- * demos/data: `volume-view-archive SCANS --out FOLDER`, then `VOLUME_VIEW_ARCHIVE=FOLDER node docs/images/make-images.mjs guide-archive`.
+ * demos/data that are one volume and no labels: `volume-view-archive SCANS --out FOLDER`, then `VOLUME_VIEW_ARCHIVE=FOLDER node docs/images/make-images.mjs guide-archive`.
  * @param {Page} page - of the development server
  * @param {string} folder
  */
 export async function photographArchive(page, folder) {
-  await page.setViewportSize({ width: 1000, height: 650 });
+  await page.setViewportSize({ width: 1000, height: 770 });
   await page.route('**/archive/**', (route) => {
     const path = new URL(route.request().url()).pathname.replace('/archive/', '');
     return route.fulfill({ path: join(folder, path) });

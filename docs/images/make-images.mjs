@@ -615,7 +615,7 @@ const postersOf = (lesson, count) =>
 const archive = process.env.VOLUME_VIEW_ARCHIVE;
 /** @type {(folder: string) => [Picture, Photographer]} */
 const photographOfArchive = (folder) => [
-  { file: 'docs/images/guide-archive.webp', size: [1000, 650], parts: [] },
+  { file: 'docs/images/guide-archive.webp', size: [1000, 770], parts: [] },
   (one) => photographArchive(one, folder),
 ];
 /** @type {Map<Picture, Photographer>} */

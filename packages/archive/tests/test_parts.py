@@ -153,6 +153,14 @@ class CatalogueTest(Folder):
         self.assertEqual(len(list(self.folder.glob("catalogue/page-*.json"))), 2)
         self.assertEqual(len(list(self.folder.glob("stac/*/0*.json"))), 1)
 
+    def test_volumes_of_one_file_stand_together_in_their_order(self):
+        ids = [f"{7:016x}" + (f"-{n}" if n > 1 else "") for n in range(1, 13)]
+        volumes = [{**self.line(7), "id": one, "time": f"{2 * n} s"} for n, one in enumerate(ids)]
+        dated = self.line(2000)
+        write_catalogue(Place(str(self.folder)), [dated, *reversed(volumes), {**self.line(5), "time": ""}])
+        page = json.loads((self.folder / "catalogue/page-1.json").read_text())
+        self.assertEqual([one["id"] for one in page], [f"{5:016x}", *ids, dated["id"]])
+
     def test_stac_is_what_pystac_reads(self):
         import pystac
 

@@ -1,5 +1,6 @@
 """What a web server has besides the scans: a list in pages of JSON, a gallery that reads them, and STAC items of radars."""
 import json
+import re
 from importlib.resources import files
 
 from . import __version__
@@ -12,7 +13,7 @@ STAC = "1.0.0"
 def write_catalogue(target, lines, say=lambda words: None):
     """Writes the list, the gallery and, of radars, STAC. lines: of the ledger, of scans that are there."""
     # The newest last: a new scan changes the last page alone. The gallery shows them from the end.
-    entries = sorted((_entry(line) for line in lines), key=lambda one: (one.get("time", ""), one["id"]))
+    entries = sorted((_entry(line) for line in lines), key=_order)
     pages = [entries[i : i + PAGE] for i in range(0, len(entries), PAGE)] or [[]]
     writer = ChangedFiles(target)
     for number, page in enumerate(pages, 1):
@@ -61,6 +62,13 @@ class ChangedFiles:
 def _entry(line):
     kept = {name: line[name] for name in ("id", "title", "page", "scans", "format", "unit", "dimensions", "from", "time", "bytes", "error", "radar", "poster") if name in line}
     return kept
+
+
+def _order(entry):
+    """Dates, then the volumes of one file in their order: their times are seconds from its beginning, and say nothing of other scans."""
+    time = entry.get("time", "")
+    scan, _, number = entry["id"].partition("-")
+    return (time if re.match(r"\d{4}-\d\d-\d\dT", time) else "", scan, int(number or 1))
 
 
 def _words(entry):
