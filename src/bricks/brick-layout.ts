@@ -43,27 +43,41 @@ export interface AtlasShape {
   readonly slotsOfLayer: number;
 }
 
-/** Slots of an atlas along x and y: at least so many. */
-const [leastColumns, leastRows] = [16, 8];
+/** Slots of an atlas along x and y, where the volume itself is not wider: at most so many. */
+const mostColumns = 16;
 
-/** @param dimensions - of the volume */
-export function shapeAtlas([nx, ny, nz]: Vector3): AtlasShape {
-  const [width, height, depth] = [nx, ny, nz].map((n) => n + 2 * brickHalo);
-  const columns = Math.max(leastColumns, Math.floor(width / slotSide));
-  const rows = Math.max(leastRows, Math.floor(height / slotSide));
-  return {
-    columns,
-    rows,
-    width: Math.max(width, columns * slotSide),
-    height: Math.max(height, rows * slotSide),
-    depth,
-    slotsOfLayer: columns * rows,
-  };
+/** Texels along z for which an atlas is made: most devices have so many. Source: WebGL Report, MAX_3D_TEXTURE_SIZE */
+const usualDepth = 2048;
+
+/**
+ * The smallest atlas that has room for so many slots, or as many as there may be: what is wider than the volume is lost next to it, and next to slots what is
+ * wider than these.
+ * @param dimensions - of the volume
+ */
+export function shapeAtlas([nx, ny, nz]: Vector3, slots = Infinity): AtlasShape {
+  const [volumeWidth, volumeHeight, depth] = [nx, ny, nz].map((n) => n + 2 * brickHalo);
+  const mostLayers = Math.max(1, Math.floor((usualDepth - depth) / slotSide));
+  let best: AtlasShape | null = null;
+  let least = Infinity;
+  const [widest, highest] = [volumeWidth, volumeHeight].map((n) => Math.max(mostColumns, Math.floor(n / slotSide)));
+  const wanted = Math.min(slots, widest * highest * mostLayers);
+  for (let columns = Math.max(1, Math.floor(volumeWidth / slotSide)); columns <= widest; columns++)
+    for (let rows = Math.max(1, Math.floor(volumeHeight / slotSide)); rows <= highest; rows++) {
+      const slotsOfLayer = columns * rows;
+      const layers = Math.ceil(wanted / slotsOfLayer);
+      if (layers > mostLayers) continue;
+      const [width, height] = [Math.max(volumeWidth, columns * slotSide), Math.max(volumeHeight, rows * slotSide)];
+      const texels = width * height * (depth + layers * slotSide);
+      if (texels >= least) continue;
+      least = texels;
+      best = { columns, rows, width, height, depth, slotsOfLayer };
+    }
+  return best!;
 }
 
 /** Texels along the longest edge of the smallest atlas: with one layer of slots. */
 export function atlasEdge(dimensions: Vector3): number {
-  const { width, height, depth } = shapeAtlas(dimensions);
+  const { width, height, depth } = shapeAtlas(dimensions); // With as many slots as there may be.
   return Math.max(width, height, depth + slotSide);
 }
 

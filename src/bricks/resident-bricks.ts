@@ -14,10 +14,11 @@ import {
   cellOfPlace,
   cellsOfBrick,
   gridOfLevel,
+  shapeAtlas,
   slotDimensions,
   slotSide,
 } from './brick-layout.ts';
-import type { BrickLayout } from './brick-layout.ts';
+import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
 /** A brick that rays can read, and the slot that it has. */
@@ -43,6 +44,8 @@ export class ResidentBricks implements FinerVoxels {
   /** Whether the present view gets more of them. */
   moving = false;
   error: FinerVoxels['error'] = null;
+  /** Where the volume and its bricks lie in a texture. */
+  atlas: AtlasShape;
   /** Of all textures: what uploads them says it. */
   bytesOnGpu = 0;
   /** Bricks that were read for planes and picks. */
@@ -69,6 +72,7 @@ export class ResidentBricks implements FinerVoxels {
     readonly upload: FinerVoxels['upload'],
   ) {
     const [cx, cy, cz] = layout.cells;
+    this.atlas = shapeAtlas(volume.grid.dimensions);
     this.pages = new Uint8Array(4 * cx * cy * cz);
     const { low, high, roughness } = volume.macrocells;
     this.macrocells = {
@@ -191,8 +195,13 @@ export class ResidentBricks implements FinerVoxels {
   storedAt(place: Vector3): number {
     const inside = this.#inFinest(place);
     const brick = this.#brickAt(inside);
-    if (brick) return interpolate(brick.samples, slotDimensions, this.#placeIn(brick, inside));
+    if (brick) return this.storedIn(brick, inside);
     return interpolate(this.volume.samples, this.volume.grid.dimensions, inside);
+  }
+
+  /** The stored value in a brick, which need not be one of these. */
+  storedIn(brick: Brick & Pick<BrickSamples, 'samples'>, place: Vector3): number {
+    return interpolate(brick.samples, slotDimensions, this.#placeIn(brick, this.#inFinest(place)));
   }
 
   /** The place itself, or where the volume reaches beyond the finest level, the nearest one in that. */

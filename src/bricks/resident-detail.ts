@@ -2,10 +2,11 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
 import { cellSize } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickHalo, brickOfCell, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
@@ -21,6 +22,10 @@ interface Measured {
   readonly max: number;
   /** The same of what was there, against the next coarser level. */
   readonly before: number;
+}
+
+interface Probe extends Brick {
+  readonly samples: Samples;
 }
 
 /** Voxels from one place that is measured to the next, along each axis. */
@@ -48,6 +53,7 @@ const leastPeak = 2;
 export class ResidentDetail implements HiddenValues, DetailField {
   readonly levels: number;
   readonly #measured = new Map<string, Measured>();
+  readonly #probes = new Map<string, Probe>();
   /** Sums of squares, by level. */
   readonly #fine: Float64Array;
   readonly #coarse: Float64Array;
@@ -97,12 +103,14 @@ export class ResidentDetail implements HiddenValues, DetailField {
       [this.#table, this.#byTable] = [null, null];
   }
 
-  /** Looks at a brick before it is shown. */
-  measure(brick: Brick, { samples, low, high }: BrickSamples): void {
+  /** Looks at a brick before it is shown. @param isProbe - it will not be: finer probes inside it are compared with it, until `forgetProbes` */
+  measure(brick: Brick, { samples, low, high }: BrickSamples, isProbe = false): void {
     this.#meet(low, high);
     this.#compare(brick, { low, high });
     const key = keyOfBrick(brick);
+    if (isProbe) this.#probes.set(key, { ...brick, samples });
     if (this.#measured.has(key)) return;
+    const probe = this.#probeAround(brick);
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
     let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
     let [shownLow, shownHigh] = [Infinity, -Infinity];
@@ -115,15 +123,16 @@ export class ResidentDetail implements HiddenValues, DetailField {
           const voxel = inSlot.map((n, axis) => brick.at[axis] * brickSide + n - brickHalo);
           if (Number.isNaN(value) || voxel.some((n, axis) => n > dimensions[axis])) continue;
           const place = voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
-          const shown = this.valueAt(...(place as [number, number, number]));
+          const block = this.#shownAt(...(place as [number, number, number]));
+          const isFiner = probe !== null && probe.level < this.#levelOf(block);
+          const shown = isFiner ? this.bricks.storedIn(probe, place) : this.bricks.storedAt(place);
           if (Number.isNaN(shown)) continue;
           count++;
           squares += (value - shown) ** 2;
           max = Math.max(max, Math.abs(value - shown));
           [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
-          const block = this.#shownAt(...(place as [number, number, number]));
-          before += this.#rmsAt(block) ** 2;
-          steps = Math.max(1, this.#levelOf(block) - brick.level);
+          before += (isFiner ? this.#measured.get(keyOfBrick(probe))!.rms : this.#rmsAt(block)) ** 2;
+          steps = Math.max(1, (isFiner ? probe.level : this.#levelOf(block)) - brick.level);
         }
     // A single voxel is between the places; that it is there, the brick says.
     if (count > 0) max = Math.max(max, high - shownHigh, shownLow - low);
@@ -133,6 +142,21 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#measured.set(key, { level: brick.level, rms, max, before: Math.sqrt(before / Math.max(1, count)) });
     this.#fine[brick.level] += rms ** 2 * count;
     this.#coarse[brick.level] += before;
+  }
+
+  /** The next coarser probe that covers a brick. */
+  #probeAround({ level, at }: Brick): Probe | null {
+    const { levels } = this.bricks.layout;
+    const cell = at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
+    for (let coarser = level + 1; coarser < levels.length; coarser++) {
+      const found = this.#probes.get(keyOfBrick({ level: coarser, at: brickOfCell(levels[coarser], cell) }));
+      if (found) return found;
+    }
+    return null;
+  }
+
+  forgetProbes(): void {
+    this.#probes.clear();
   }
 
   /** Bricks have come or gone. */

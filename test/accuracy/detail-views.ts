@@ -110,7 +110,7 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
   const estimate = () => atOnce(estimateBricks(bricked.volume, bricked.volume.finer, detail, { view, optics }))!;
-  // As the element does it: probes come first, level by level, and go; then what brings most, until what is said is within `max-error`.
+  // As the element does it: probes come first, level by level; then what brings most, until what is said is within `max-error`.
   const maxError = errors[Math.floor(errors.length * random())];
   const add = (brick: Brick): void => {
     const samples = readBrick(bricked.pyramid, brick);
@@ -118,9 +118,8 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
     bricked.volume.finer.add(brick, samples);
   };
   let now = estimate();
-  for (; now.probes.length > 0; now = estimate()) now.probes.forEach(add);
-  for (const brick of [...bricked.volume.finer.bricks]) bricked.volume.finer.remove(brick);
-  now = estimate();
+  for (; now.probes.length > 0; now = estimate())
+    for (const brick of now.probes) detail.measure(brick, readBrick(bricked.pyramid, brick), true);
   while (now.error.rms > maxError) {
     const best = now.gains.rank(turn, 1, () => false);
     if (best.length === 0) break;

@@ -1,5 +1,5 @@
 import { brickSide } from '../../bricks/brick-data.ts';
-import { brickHalo, placeOfSlot, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
+import { brickHalo, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { allocateLike } from '../../volume/samples.ts';
@@ -42,7 +42,7 @@ export class BrickTextures {
     readonly bricks: ResidentBricks,
     readonly packing: BrickPacking,
   ) {
-    this.#shape = shapeAtlas(volume.grid.dimensions);
+    this.#shape = bricks.atlas;
     this.#pages = gl.createTexture();
   }
 

@@ -1,6 +1,6 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
 import { layBricks, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
-import type { AtlasShape } from '../../bricks/brick-layout.ts';
+import type { Brick } from '../../bricks/pyramid.ts';
 import { keyOfBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
@@ -54,7 +54,6 @@ export class BrickView implements ViewPart {
   readonly bricks: ResidentBricks;
   /** The pinned volume with its bricks. */
   readonly volume: Volume;
-  readonly #shape: AtlasShape;
   readonly #detail: ResidentDetail;
   readonly #levels: readonly FinerLevel[];
   readonly #maxBytes: number;
@@ -69,8 +68,8 @@ export class BrickView implements ViewPart {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
-  /** Bricks that were only asked for to look at them. */
-  readonly #probes = new Set<string>();
+  /** Probes that could not be read. */
+  readonly #unreadable = new Set<string>();
   #isDrawingSoon = false;
   #hasFailed = false;
   /** How long the last picture took that showed new bricks. */
@@ -90,12 +89,12 @@ export class BrickView implements ViewPart {
   ) {
     const { pinned, request } = parts;
     this.#levels = pinned.levels!;
-    this.#shape = shapeAtlas(pinned.grid.dimensions);
     this.#maxBytes = request.settings?.maxGpuBytes ?? usualGpuBytes();
     this.bricks = new ResidentBricks(pinned, layout, (gl: Gl, volume: VolumeData, device: Device) =>
       this.#upload(gl, volume, device),
     );
     this.bricks.moving = true;
+    this.bricks.atlas = shapeAtlas(pinned.grid.dimensions, Math.ceil(this.#maxBytes / this.#bytesOfBrick));
     this.#detail = new ResidentDetail(pinned, this.bricks);
     this.#source = new BrickSource({
       request,
@@ -127,15 +126,15 @@ export class BrickView implements ViewPart {
 
   /** Of the pinned volume and of the table. */
   get #fixedBytes(): number {
-    const { width, height, depth } = this.#shape;
+    const { width, height, depth } = this.bricks.atlas;
     return width * height * depth * this.parts.pinned.samples.BYTES_PER_ELEMENT + pageBytes(this.bricks.layout.cells);
   }
 
   /** Slots that the share of this view has room for: whole layers of the atlas. */
   get #capacity(): number {
-    const { slotsOfLayer, depth } = this.#shape;
+    const { slotsOfLayer, width, height, depth } = this.bricks.atlas;
     const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
-    const layers = Math.floor(own / (slotsOfLayer * this.#bytesOfBrick));
+    const layers = Math.floor(own / (width * height * slotSide * this.parts.pinned.samples.BYTES_PER_ELEMENT));
     const most = Math.min(layers, Math.floor((this.#maxSide - depth) / slotSide), this.bricks.maxSlots / slotsOfLayer);
     return slotsOfLayer * Math.max(1, most);
   }
@@ -297,16 +296,15 @@ export class BrickView implements ViewPart {
         const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
         bricks.error = found.error;
         const isEnough = found.error.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
-        const probes = found.probes.filter((brick) => !loading.isRefused(brick));
-        if (probes.length === 0 && this.#removeProbes()) continue;
+        const probes = found.probes.filter((brick) => !this.#unreadable.has(keyOfBrick(brick)));
         const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
         const best = isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick));
-        for (const brick of probes) this.#probes.add(keyOfBrick(brick));
-        for (const { brick } of best) this.#probes.delete(keyOfBrick(brick));
-        loading.want({
-          missing: [...probes.map((brick) => ({ brick, gain: Infinity, bytes })), ...best],
-          worth: (brick) => found.gains.worth(brick) / bytes,
-        });
+        loading.want({ missing: best, worth: (brick) => found.gains.worth(brick) / bytes });
+        if (probes.length > 0) {
+          await Promise.all(probes.map((brick) => this.#probe(brick, life)));
+          continue;
+        }
+        this.#detail.forgetProbes();
       }
       const isOver = loading.requests === 0 && !isAsking;
       if (picture && isOver && this.#picture === picture && this.#changes === changes) this.#rest();
@@ -321,16 +319,16 @@ export class BrickView implements ViewPart {
     }
   }
 
-  /**
-   * Probes have said what levels hide. They go, because rays are sampled as finely as the finest brick that is there: those that bring something come again.
-   * @returns whether there were any
-   */
-  #removeProbes(): boolean {
-    const probes = [...this.bricks.bricks].filter((brick) => this.#probes.has(keyOfBrick(brick)));
-    for (const brick of probes) this.bricks.remove(brick);
-    this.#probes.clear();
-    if (probes.length > 0) this.#changes++;
-    return probes.length > 0;
+  /** Looks at a brick, without a place for it on the GPU. */
+  async #probe(brick: Brick, life: AbortSignal): Promise<void> {
+    try {
+      const samples = await this.#source.read(brick, life);
+      this.#detail.measure(brick, samples, true);
+    } catch (error) {
+      if (life.aborted) return;
+      this.#unreadable.add(keyOfBrick(brick));
+      this.#reportOnce(error);
+    }
   }
 
   /** With time for the page in between. */

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { atlasEdge, layBricks, placeOfSlot, shapeAtlas, slotSide } from '../../../src/bricks/brick-layout.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
+import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { residentSampler } from '../../../src/bricks/resident-field.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
@@ -113,6 +114,26 @@ describe('the layout of bricks', () => {
           true,
           true,
         ]);
+    }
+  });
+
+  it('is no wider than the volume where few slots are needed, and holds as many as are asked for', () => {
+    const bytes = ({ width, height, depth, slotsOfLayer }: AtlasShape, slots: number): number =>
+      width * height * (depth + slotSide * Math.ceil(slots / slotsOfLayer));
+    const small = shapeAtlas([64, 64, 64], 3);
+    expect([small.width, small.height]).to.deep.equal([68, 68]);
+    expect(bytes(small, 3)).to.be.below(470_000);
+    for (const [size, slots] of [
+      [[256, 256, 256], 6400],
+      [[128, 200, 30], 6800],
+      [[20, 20, 20], 1],
+      [[64, 64, 64], 3000],
+    ] as const) {
+      const shape = shapeAtlas(size, slots);
+      expect(shape.depth + slotSide * Math.ceil(slots / shape.slotsOfLayer)).to.be.at.most(2048);
+      const [nx, ny, nz] = size;
+      // What is lost next to the volume, and next to the slots.
+      expect(bytes(shape, slots) / ((nx + 2) * (ny + 2) * (nz + 2) + slots * slotSide ** 3)).to.be.below(1.35);
     }
   });
 

@@ -9,13 +9,15 @@ import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
 import { syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** Of the level that is always there, which has half the voxels along each axis. */
-const { slotsOfLayer, width, height, depth } = shapeAtlas([96, 96, 80]);
+const atlas = shapeAtlas([96, 96, 80], 7000);
+const { slotsOfLayer, width, height, depth } = atlas;
 const layerBytes = slotsOfLayer * 34 ** 3;
 
 function makeAtlas() {
   const gl = document.createElement('canvas').getContext('webgl2')!;
   const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions: [192, 192, 160] }), 2, () => false);
   const { finer } = volume;
+  finer.atlas = atlas;
   const field = finishUpload(uploadBricks(gl, volume, describeDevice(gl)));
   const atlasBytes = (): number => {
     field.inputs();
