@@ -20,6 +20,9 @@ const [maxBytes, maxBytesOfPlane] = [2 ** 26, 2 ** 25];
 /** A plane is painted again at most so often while its bricks come, ms. */
 const pause = 150;
 
+/** A pick waits for a brick at most so long, ms: then it has what has come. */
+const patienceMs = 5000;
+
 export interface BrickTilesParts {
   readonly volume: Volume;
   readonly levels: readonly FinerLevel[];
@@ -47,6 +50,7 @@ export class BrickTiles implements PlaneVoxels {
   readonly #flying = new Map<string, AbortController>();
   readonly #refused = new Set<string>();
   #timer = 0;
+  #isResting = false;
 
   constructor(readonly parts: BrickTilesParts) {}
 
@@ -90,13 +94,22 @@ export class BrickTiles implements PlaneVoxels {
     const { layout } = this.parts.bricks;
     const brick = { level: 0, at: brickOfCell(layout.levels[0], cellOfPlace(layout, place)) };
     const owner = {};
-    await this.#look(owner, [brick], () => {});
-    this.#forget(owner);
+    let timer = 0;
+    const late = new Promise<void>((resolve) => (timer = setTimeout(resolve, patienceMs) as unknown as number));
+    await Promise.race([this.#look(owner, [brick], () => {}), late]);
+    clearTimeout(timer);
+    this.close(owner);
   }
 
-  /** Nothing comes for now: who waits has what has come. */
+  /** Nothing comes for now, as the view does not show the volume, or can't read it: who waits, and who comes, has what has come. */
   rest(): void {
+    this.#isResting = true;
     for (const { settle } of this.#looks.values()) settle();
+  }
+
+  /** The view shows the volume again. */
+  wake(): void {
+    this.#isResting = false;
   }
 
   /** @returns when all bricks are there that can be */
@@ -110,6 +123,7 @@ export class BrickTiles implements PlaneVoxels {
     // What somebody looks at now is let go of last.
     for (const brick of bricks) this.#use(keyOfBrick(brick));
     this.#send();
+    if (this.#isResting) this.#looks.get(owner)?.settle();
     return done;
   }
 

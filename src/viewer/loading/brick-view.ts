@@ -172,6 +172,7 @@ export class BrickView implements ViewPart {
 
   #enter(): void {
     if (this.#users++ > 0) return;
+    this.#tiles.wake();
     this.#life = new AbortController();
     this.#picture = null;
     this.bricks.moving = false;

@@ -124,8 +124,14 @@ describe('bricks for panes', () => {
     }
     const { done } = tiles.open(pane, planeAt(40), () => {})!;
     expect(asked.map(({ key }) => key.split('/')[2])).not.to.include('3');
+    expect(await isOver(done)).to.equal(false);
     tiles.rest();
     expect(await isOver(done)).to.equal(true);
+    // Nor does who comes later, until the view shows the volume again.
+    expect(await isOver(tiles.open(other, planeAt(70), () => {})!.done)).to.equal(true);
+    await tiles.readAt([0.9, 0.9, 0.9]);
+    tiles.wake();
+    expect(await isOver(tiles.open(one, planeAt(100), () => {})!.done)).to.equal(false);
   });
 
   it('that nobody looks at go when there are more than 64 MiB', async function () {
