@@ -191,7 +191,10 @@ test.describe('a poster', () => {
     await expect(button).toBeFocused();
     await page.keyboard.press('Enter');
     await expect(button).toHaveCount(0);
-    await page.locator('volume-view').evaluate((view) => (view as HTMLElementTagNameMap['volume-view']).whenRendered());
+    await page.locator('volume-view').evaluate(async (view) => {
+      await customElements.whenDefined('volume-view'); // Its script comes after the press.
+      return (view as HTMLElementTagNameMap['volume-view']).whenRendered();
+    });
   });
 });
 

@@ -373,7 +373,9 @@ for (const form of forms)
         cpSync(join(`${siteOf(form)}.private`, 'salt'), join(privateFolder, 'salt'));
         const child = spawn(process.execPath, argsOf(form, killed), { stdio: 'ignore' });
         const ended = new Promise((resolve) => child.once('exit', resolve));
-        await new Promise((resolve) => setTimeout(resolve, (took.get(form) ?? 0) * Math.random()));
+        await new Promise((resolve) =>
+          setTimeout(resolve, ((took.get(form) ?? 0) * (i + Math.random())) / Number(values.kills)),
+        );
         child.kill('SIGKILL');
         await ended;
         for (const name of existsSync(killed) ? readdirSync(killed) : []) {

@@ -191,7 +191,7 @@ export class VolumeLayer {
     // The context may have been lost long before, while the volume was loading: the gradual upload finds that out too.
     const slow =
       (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) &&
-      (await loadPart(import('../textures/upload-gradually.ts'), 'uploads large volumes'));
+      (await loadPart(import('../textures/upload-gradually.ts'), 'uploads volumes'));
     const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
@@ -255,7 +255,7 @@ export class VolumeLayer {
   }
 
   async #loadClassifiers(): Promise<void> {
-    const { Classifiers } = await loadPart(import('../ray/modules/classifiers.ts'), 'shows any transfer function');
+    const { Classifiers } = await loadPart(import('../ray/modules/classifiers.ts'), 'shows functions');
     this.#classifiers ??= new Classifiers(this.gl, this.device);
   }
 

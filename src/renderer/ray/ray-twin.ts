@@ -42,4 +42,4 @@ export function twinOf<T>(
 }
 
 /** Code of the twins that many rays have. */
-export const usualTwins = later(() => loadPart(import('../../optics/usual-twins.ts'), 'casts rays on the processor'));
+export const usualTwins = later(() => loadPart(import('../../optics/usual-twins.ts'), 'casts rays'));

@@ -115,17 +115,12 @@ export class FrameDrawing {
     const converged = this.#converges(drawn);
     const error = converged ? this.quality.error : null;
     // A picture that shows nothing keeps no error target.
-    const bricks = this.pictures.parts.shown.volume?.finer?.held;
-    const stats = {
-      ...drawn,
-      converged,
-      error,
-      keepsMaxError: error && this.quality.isKept && error.rays > 0,
-      ...(bricks && { bricks }),
-    };
+    const { loop, shown } = this.pictures.parts;
+    const keepsMaxError = error && this.quality.isKept && error.rays > 0;
+    const stats = { ...drawn, converged, error, keepsMaxError, bricks: shown.volume!.finer?.held };
     this.notify(stats);
     this.isFinal = converged;
-    this.pictures.parts.loop.wake();
+    loop.wake();
     return stats;
   }
 

@@ -28,4 +28,4 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
 }
 
 /** The code for sources with several scans is loaded with the first such source. */
-const loadScans = () => loadPart(import('./open-scans.ts'), 'shows several scans');
+const loadScans = () => loadPart(import('./open-scans.ts'), 'shows scans');
