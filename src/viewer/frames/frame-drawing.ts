@@ -116,8 +116,9 @@ export class FrameDrawing {
     const error = converged ? this.quality.error : null;
     // A picture that shows nothing keeps no error target.
     const { loop, shown } = this.pictures.parts;
+    const { finer } = shown.volume!;
     const keepsMaxError = error && this.quality.isKept && error.rays > 0;
-    const stats = { ...drawn, converged, error, keepsMaxError, bricks: shown.volume!.finer?.held };
+    const stats = { ...drawn, converged, error, keepsMaxError, ...(finer && { bricks: finer.held }) };
     this.notify(stats);
     this.isFinal = converged;
     loop.wake();
