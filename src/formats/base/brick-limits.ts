@@ -16,3 +16,6 @@ export const chooseKeptBytes = (): number => (isSmall() ? 2 ** 26 : 2 ** 27);
 
 /** The share of them that the chunks of one brick may need. */
 export const shareOfBrick = 1 / 4;
+
+/** Bricks that are read at once: browsers open about as many connections to one server. */
+export const bricksAtOnce = 8;

@@ -1,7 +1,7 @@
 import { brickSide } from '../../bricks/brick-data.ts';
 import type { BrickSamples } from '../../bricks/brick-data.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
-import { chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
+import { bricksAtOnce, chooseKeptBytes, shareOfBrick } from '../base/brick-limits.ts';
 import { Budget } from '../base/budget.ts';
 import type { BrickStore } from '../base/brick-store.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
@@ -20,9 +20,6 @@ import { chooseChannels } from './ome-channels.ts';
 import { openImage } from './open-image.ts';
 import { readBrick } from './read-brick.ts';
 import { readResiduals } from './read-residuals.ts';
-
-/** Bricks that are put together at once: as many as requests. */
-const bricksAtOnce = 8;
 
 /** What a pyramid is opened with. */
 export interface BrickOpening {

@@ -2,11 +2,9 @@ import type { BrickSamples } from '../../bricks/brick-data.ts';
 import type { SharedRoom } from './brick-room.ts';
 import type { RankedBrick } from '../../bricks/choose-bricks.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
+import { bricksAtOnce } from '../../formats/base/brick-limits.ts';
 import { keyOfBrick } from '../../bricks/resident-bricks.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
-
-/** Requests that are on their way at once: browsers open about as many connections to one server. */
-const atOnce = 8;
 
 /**
  * A brick makes room for another only if that one brings at least so many times as much a byte: else two bricks would take each other's
@@ -99,7 +97,7 @@ export class BrickLoading {
 
   #send(): void {
     for (const ranked of this.#wanted.missing) {
-      if (this.#flying.size >= atOnce) return;
+      if (this.#flying.size >= bricksAtOnce) return;
       const key = keyOfBrick(ranked.brick);
       if (this.#flying.has(key) || this.#refused.has(key) || this.parts.bricks.get(ranked.brick)) continue;
       if (!this.#makeRoom(ranked)) return;

@@ -3,6 +3,7 @@ import { brickOfCell, cellOfPlace, slotSide } from '../../bricks/brick-layout.ts
 import type { Brick } from '../../bricks/pyramid.ts';
 import { keyOfBrick } from '../../bricks/resident-bricks.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
+import { bricksAtOnce } from '../../formats/base/brick-limits.ts';
 import { brickSampler } from '../../panes/brick-field.ts';
 import { chooseLevelOfPlane } from '../../panes/plane-bricks.ts';
 import type { FinerLevel, PlaneField, PlaneVoxels, ViewedPlane } from '../../volume/finer-voxels.ts';
@@ -10,9 +11,6 @@ import { transformDirection } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/samples.ts';
 import type { Volume } from '../../volume/volume.ts';
-
-/** Requests that are on their way at once. */
-const atOnce = 8;
 
 /** Bytes of bricks that are kept for planes in the page's memory, and those that one plane may need. */
 const [maxBytes, maxBytesOfPlane] = [2 ** 26, 2 ** 25];
@@ -154,9 +152,9 @@ export class BrickTiles implements PlaneVoxels {
       this.#flying.delete(key);
       controller.abort();
     }
-    for (let n = 0; missing.some((bricks) => n < bricks.length) && this.#flying.size < atOnce; n++)
+    for (let n = 0; missing.some((bricks) => n < bricks.length) && this.#flying.size < bricksAtOnce; n++)
       for (const bricks of missing)
-        if (n < bricks.length && this.#flying.size < atOnce && !this.#flying.has(keyOfBrick(bricks[n])))
+        if (n < bricks.length && this.#flying.size < bricksAtOnce && !this.#flying.has(keyOfBrick(bricks[n])))
           void this.#read(bricks[n]);
     looks.forEach((look, n) => {
       if (missing[n].length > 0) return;
