@@ -1,11 +1,12 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
-import { cellSize, offLine } from '../volume/cell-size.ts';
 import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
+import { BrickCells } from './brick-cells.ts';
+import type { MeasuredBrick } from './brick-cells.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import {
@@ -22,7 +23,7 @@ import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
 /** A brick that rays can read, and the slot that it has. */
-export interface ResidentBrick extends Brick, Omit<BrickSamples, 'hasNoData'> {
+export interface ResidentBrick extends MeasuredBrick, Omit<BrickSamples, 'hasNoData'> {
   readonly slot: number;
 }
 
@@ -37,9 +38,7 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
 export class ResidentBricks implements FinerVoxels {
   /** By cell, i fastest: the slot of its brick in three bytes, low byte first; and 1 + the brick's level, or 0 where it has none. */
   readonly pages: Uint8Array<ArrayBuffer>;
-  /** The volume's own, widened by what bricks have: rays skip nothing that a brick shows. */
-  readonly macrocells: Macrocells;
-  /** Counts changes of `pages`, and of `macrocells`. */
+  /** Counts changes of `pages`, and of `macrocells` as far as `current` has seen them. */
   readonly changes = { pages: 0, cells: 0 };
   /** Whether the present view gets more of them. */
   moving = false;
@@ -58,6 +57,7 @@ export class ResidentBricks implements FinerVoxels {
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
   readonly #free: number[] = [];
   readonly #counts: number[];
+  readonly #cells: BrickCells;
   /** Smallest and largest stored value of all bricks that came: fewer of them when they go would change the tables of colours. */
   #low = Infinity;
   #high = -Infinity;
@@ -74,13 +74,7 @@ export class ResidentBricks implements FinerVoxels {
     const [cx, cy, cz] = layout.cells;
     this.atlas = shapeAtlas(volume.grid.dimensions);
     this.pages = new Uint8Array(4 * cx * cy * cz);
-    const { low, high, roughness } = volume.macrocells;
-    this.macrocells = {
-      ...volume.macrocells,
-      low: low.slice(),
-      high: high.slice(),
-      roughness: roughness.slice(),
-    };
+    this.#cells = new BrickCells(volume, layout);
     this.#counts = layout.levels.map(() => 0);
   }
 
@@ -88,12 +82,23 @@ export class ResidentBricks implements FinerVoxels {
     return this.layout.finest;
   }
 
+  /** Of what is shown now, once `current` has been called. */
+  get macrocells(): Macrocells {
+    return this.#cells.macrocells;
+  }
+
+  /** The finest level of which there are bricks; -1 for none. */
+  get #level(): number {
+    return this.#counts.findIndex((count) => count > 0);
+  }
+
   get grid(): GridFrame {
-    const level = this.#counts.findIndex((count) => count > 0);
+    const level = this.#level;
     return level < 0 ? this.volume.grid : gridOfLevel(this.volume.grid, this.layout.levels[level]);
   }
 
   current<V extends BrickedValues>(volume: V): V {
+    if (this.#cells.update((cell) => this.#bySlot[this.slotOf(cell)], this.#level)) this.changes.cells++;
     const { cells } = this.changes;
     if (this.#current?.volume !== volume || this.#current.cells !== cells)
       this.#current = {
@@ -141,13 +146,13 @@ export class ResidentBricks implements FinerVoxels {
     if (known) return known;
     const slot = this.#free.pop() ?? this.#bySlot.length;
     const { level, at } = place;
-    const brick = { level, at, ...values, slot };
+    const brick: ResidentBrick = { level, at, ...values, slot };
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
-    this.#visitCells(brick, (cell) => {
+    this.#visitCells(brick, (cell, at) => {
       const shown = this.pages[4 * cell + 3];
-      if (shown === 0 || shown - 1 > level) this.#show(cell, brick);
+      if (shown === 0 || shown - 1 > level) this.#show(cell, at, brick);
     });
     this.changes.pages++;
     this.#widen(brick);
@@ -162,7 +167,7 @@ export class ResidentBricks implements FinerVoxels {
     this.#free.push(brick.slot);
     this.#counts[brick.level]--;
     this.#visitCells(brick, (cell, at) => {
-      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, this.#coarser(at, brick.level));
+      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, at, this.#coarser(at, brick.level));
     });
     this.changes.pages++;
   }
@@ -250,7 +255,8 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bySlot[this.slotOf(this.cellAt(place))];
   }
 
-  #show(cell: number, brick: ResidentBrick | undefined): void {
+  #show(cell: number, at: Vector3, brick: ResidentBrick | undefined): void {
+    this.#cells.change(at);
     const slot = brick?.slot ?? 0;
     this.pages.set([slot & 255, (slot >> 8) & 255, slot >> 16, brick ? brick.level + 1 : 0], 4 * cell);
   }
@@ -274,28 +280,8 @@ export class ResidentBricks implements FinerVoxels {
         for (let i = low[0]; i < high[0]; i++) visit(i + cells[0] * (j + cells[1] * k), [i, j, k]);
   }
 
-  /** Its values may lie in all macrocells that it touches. They stay there when it goes: then rays only skip less. */
-  #widen({ level, at, low: min, high: max }: ResidentBrick): void {
-    if (!(min <= max)) return;
-    [this.#low, this.#high] = [Math.min(this.#low, min), Math.max(this.#high, max)];
-    const { dimensions, low, high, roughness } = this.macrocells;
-    const { scale, shift } = this.layout.levels[level];
-    const voxels = this.volume.grid.dimensions;
-    const cellOf = (axis: number, voxel: number): number =>
-      Math.floor(((voxel - shift[axis]) / scale[axis]) * (voxels[axis] / cellSize));
-    const first = at.map((n, axis) => Math.max(0, cellOf(axis, n * brickSide - brickHalo)));
-    const last = at.map((n, axis) => Math.min(dimensions[axis] - 1, cellOf(axis, (n + 1) * brickSide + brickHalo)));
-    let changes = false;
-    for (let k = first[2]; k <= last[2]; k++)
-      for (let j = first[1]; j <= last[1]; j++)
-        for (let i = first[0]; i <= last[0]; i++) {
-          const cell = i + dimensions[0] * (j + dimensions[1] * k);
-          if (low[cell] <= min && high[cell] >= max) continue;
-          changes = true;
-          low[cell] = Math.min(low[cell], min);
-          high[cell] = Math.max(high[cell], max);
-          roughness[cell] = (high[cell] - low[cell]) / offLine;
-        }
-    if (changes) this.changes.cells++;
+  #widen({ low, high }: ResidentBrick): void {
+    if (!(low <= high)) return;
+    [this.#low, this.#high] = [Math.min(this.#low, low), Math.max(this.#high, high)];
   }
 }

@@ -12,6 +12,8 @@ import type { Samples } from './samples.ts';
 export interface Macrocells {
   /** Cells along i, j and k. */
   readonly dimensions: Vector3;
+  /** Voxels along each edge of a cell, where that is not `cellSize`: less than one where finer voxels lie over the volume. */
+  readonly size?: number;
   /** Smallest stored value of each cell, i fastest. */
   readonly low: Samples;
   /** Largest stored value of each cell. */

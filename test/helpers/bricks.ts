@@ -48,7 +48,7 @@ export function cutIntoBricks(whole: Volume, count: number, isThere: (brick: Bri
   const finer = new ResidentBricks(coarse, layout, uploadBricks);
   for (let level = 0; level < last; level++)
     for (const brick of listBricks(pyramid, level)) if (isThere(brick)) finer.add(brick, readBrick(pyramid, brick));
-  return { pyramid, layout, volume: { ...coarse, macrocells: finer.macrocells, finer } };
+  return { pyramid, layout, volume: { ...coarse, macrocells: finer.current(coarse).macrocells, finer } };
 }
 
 /** A brick with its halo, as a store reads it. */

@@ -22,14 +22,14 @@ type Corner = readonly [x: number, y: number, w: number];
 export function boundSeenCells(
   {
     grid,
-    macrocells: { dimensions: cells },
-  }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions'> },
+    macrocells: { dimensions: cells, size = cellSize },
+  }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions' | 'size'> },
   seen: Uint8Array,
   { view, projection }: { readonly view: Matrix4; readonly projection: Matrix4 },
 ): DeviceRectangle | null {
   const toClip = multiply(projection, multiply(view, unitToWorld(grid)));
   const min = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
-  const edge = (cell: number, axis: number): number => Math.min(1, (cell * cellSize) / grid.dimensions[axis]);
+  const edge = (cell: number, axis: number): number => Math.min(1, (cell * size) / grid.dimensions[axis]);
   let bounds: DeviceRectangle = nowhere;
   /** Where the cells of a row, from one index to another, appear in the picture. */
   const appear = (from: number, to: number, j: number, k: number): Appearance => {

@@ -18,12 +18,15 @@ const rounding = 1e-6;
 const voxelRounding = 1e-3;
 
 /** Maps a macrocell of a volume (by its whole-number index) to the box of the layer that contains it. Null if one of the two is flat. */
-export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) | null {
-  const matrix = toOverlay(over, layer);
+export function boxesIn(
+  { grid, macrocells: { size = cellSize } }: Pick<VolumeData, 'grid' | 'macrocells'>,
+  layer: Grid,
+): ((cell: Vector3) => UnitBox) | null {
+  const matrix = toOverlay(grid, layer);
   if (!matrix) return null;
-  const { dimensions } = over;
+  const { dimensions } = grid;
   return (cell) => {
-    const edge = (at: number, axis: number): number => Math.min(1, (at * cellSize) / dimensions[axis]);
+    const edge = (at: number, axis: number): number => Math.min(1, (at * size) / dimensions[axis]);
     const middle = cell.map((at, axis) => (edge(at, axis) + edge(at + 1, axis)) / 2) as unknown as Vector3;
     const half = cell.map((at, axis) => (edge(at + 1, axis) - edge(at, axis)) / 2);
     const center = transformPoint(matrix, middle);

@@ -75,7 +75,7 @@ export function measureMissable(
     grid,
   } = volume;
   const emission = rangeEmission(transferFunction);
-  const length = thingLength * finestSpacing(grid) * opticalScale;
+  const length = thingLength * finestSpacing(volume.finer?.grid ?? grid) * opticalScale;
   return (cell, samplesAVoxel, isQuick = false) => {
     const a = slope * low[cell] + intercept;
     const b = slope * high[cell] + intercept;

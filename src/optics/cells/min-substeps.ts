@@ -15,12 +15,12 @@ export function minSubsteps(
 ): (place: Vector3) => number {
   const {
     grid,
-    macrocells: { dimensions: cells },
+    macrocells: { dimensions: cells, size = cellSize },
   } = volume;
   const power = powerOfSteps(voxelsPerStep);
   return (place) => {
     const [i, j, k] = place.map((x, axis) =>
-      Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * grid.dimensions[axis]) / cellSize))),
+      Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * grid.dimensions[axis]) / size))),
     );
     return 2 ** Math.min(Math.log2(maxSubsteps), Math.max(0, codes[i + cells[0] * (j + cells[1] * k)] + power));
   };

@@ -61,7 +61,7 @@ export function listOverlayCells(over: VolumeData, volume: VolumeData): OverlayC
     for (let cell = 0; cell < length; cell++) include(cell, cell);
     return cells;
   }
-  const boxOf = boxesIn(over.grid, volume.grid);
+  const boxOf = boxesIn(over, volume.grid);
   if (!boxOf) return cells; // One of the two grids is flat.
   const read = boxReader(volume);
   const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= maxReads;

@@ -1,5 +1,5 @@
 import { cellSize } from '../../volume/cell-size.ts';
-import type { Vector3 } from '../../volume/matrix.ts';
+import type { Macrocells } from '../../volume/macrocells.ts';
 import { atlasLayout, packAtlas } from '../../volume/atlas.ts';
 import type { Device, Gl } from '../device/device.ts';
 import { prepareUpload, uploadPlane } from './fill-texture.ts';
@@ -15,13 +15,12 @@ export interface CellTexture {
 
 /**
  * @param numbers - one or two bytes for each cell, i fastest
- * @param cells - how many cells along i, j and k
  * @param previous - its texture is filled again
  */
 export function uploadCells(
   gl: Gl,
   numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>,
-  cells: Vector3,
+  { dimensions: cells, size = cellSize }: Pick<Macrocells, 'dimensions' | 'size'>,
   { previous, device, samplerName }: { previous: CellTexture | null; device: Device; samplerName: string },
 ): CellTexture {
   const atlas = atlasLayout(cells, device.maxTextureSize)!;
@@ -32,7 +31,7 @@ export function uploadCells(
   return {
     unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName }),
     uniforms: {
-      uCells: [...cells, cellSize],
+      uCells: [...cells, size],
       uCellMosaic: [atlas.columns, 1 / atlas.columns, 1 / atlas.width, 1 / atlas.height],
     },
   };

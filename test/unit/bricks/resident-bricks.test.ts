@@ -6,8 +6,6 @@ import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { residentSampler } from '../../../src/bricks/resident-field.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
 import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
-import { findSeenCells } from '../../../src/optics/cells/seen-cells.ts';
-import { cellSize } from '../../../src/volume/cell-size.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
 import { identity } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
@@ -66,20 +64,6 @@ describe('bricks that are there', () => {
     finer.add({ level: 1, at: [0, 0, 0] }, readBrick(pyramid, { level: 1, at: [0, 0, 0] }));
     expect([finer.levelOf(0), finer.levelOf(1)], 'a coarser one does not hide a finer one').to.deep.equal([0, 1]);
     expect(layout.cells).to.deep.equal([3, 3, 2]);
-  });
-
-  it('widen the cells of the volume, so that no ray skips what only a fine level has', () => {
-    const spike = (x: number, y: number, z: number): number => Number(Math.hypot(x - 0.4, y - 0.3, z - 0.6) < 0.012);
-    const whole = syntheticVolume({ dimensions: [64, 64, 64], field: spike });
-    const shows = [(_: number, high: number) => high > 0.9];
-    const before = cutIntoBricks(whole, 2, () => false).volume;
-    const after = cutIntoBricks(whole, 2).volume;
-    const [none, found] = [before, after].map(({ macrocells, ...volume }) => findSeenCells(macrocells, shows, volume));
-    expect(none.includes(1)).to.equal(false);
-    const cells = after.macrocells.dimensions;
-    const at = [0.4, 0.3, 0.6].map((x, axis) => Math.floor((x * after.grid.dimensions[axis]) / cellSize));
-    expect(found[at[0] + cells[0] * (at[1] + cells[1] * at[2])]).to.equal(1);
-    expect(before.finer.volume.macrocells.high.every((high) => high < 255)).to.equal(true);
   });
 });
 

@@ -36,7 +36,7 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
         const distances = skipping
           ? measureEmptySpace(macrocells, contributions, volume)
           : new Uint8Array(macrocells.low.length);
-        return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, {
+        return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells, {
           previous,
           device,
           samplerName: 'uEmptySpaceDistance',

@@ -88,7 +88,7 @@ export function createProjection(
       } = frame;
       const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];
       const { unit, uniforms } = cells.get(key, (previous) =>
-        uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }),
+        uploadCells(gl, describeCells(kind, frame), macrocells, { previous, device, samplerName }),
       );
       return {
         uniforms: {

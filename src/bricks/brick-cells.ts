@@ -1,0 +1,231 @@
+import { cellSize, offLine } from '../volume/cell-size.ts';
+import { emptyMacrocells } from '../volume/macrocells.ts';
+import type { Macrocells } from '../volume/macrocells.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { VolumeData } from '../volume/volume.ts';
+import { blockSide, blocksAlong, measureBlocks } from './block-ranges.ts';
+import type { BlockRanges } from './block-ranges.ts';
+import { brickSide } from './brick-data.ts';
+import type { BrickSamples } from './brick-data.ts';
+import { cellOfPlace } from './brick-layout.ts';
+import type { BrickLayout, LevelFrame } from './brick-layout.ts';
+import type { Brick } from './pyramid.ts';
+
+/** As many as a volume of 512³ voxels has. */
+const maxCells = 2 ** 18;
+
+/** What only touches a macrocell does not count, also where places are rounded; in macrocells. Blocks have a voxel more at each side. */
+const rounding = 1e-4;
+
+/** A brick with what is known of its samples. */
+export interface MeasuredBrick extends Brick, Pick<BrickSamples, 'samples'> {
+  /** Made when it is first needed. */
+  blocks?: BlockRanges;
+}
+
+/** The values of some places: stored units; roughness for each voxel of the finest level. */
+interface Values {
+  low: number;
+  high: number;
+  roughness: number;
+}
+
+/**
+ * The macrocells of a volume with bricks over it: each has the values of what is shown there now. They are smaller than those of the volume alone, so that rays
+ * skip as much as in a volume of the finest level.
+ */
+export class BrickCells {
+  readonly macrocells: Macrocells;
+  /** Roughness for each voxel of the finest level. */
+  readonly #roughness: Float32Array;
+  /** What the volume alone has. */
+  readonly #own: Macrocells;
+  /** Voxels of the finest level along the shortest edge of a voxel of each level, and of the volume. */
+  readonly #lengths: readonly number[];
+  readonly #length: number;
+  /** Macrocells of which something has changed. */
+  readonly #changed: Uint8Array;
+  #first = 0;
+  #sampled = 0;
+
+  constructor(
+    readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
+    readonly layout: BrickLayout,
+  ) {
+    const [finest] = layout.levels;
+    const lengthOf = (scale: Vector3): number => Math.min(...scale.map((n, axis) => finest.scale[axis] / n));
+    this.#lengths = layout.levels.map(({ scale }) => lengthOf(scale));
+    this.#length = lengthOf(volume.grid.dimensions);
+    this.#own = measureVolume(volume, chooseSize(volume.grid.dimensions, this.#length));
+    const { low, high, roughness } = this.#own;
+    this.macrocells = { ...this.#own, low: low.slice(), high: high.slice(), roughness: roughness.slice() };
+    this.#roughness = roughness.map((rough) => rough / this.#length);
+    this.#changed = new Uint8Array(low.length);
+    this.#first = low.length;
+    this.#sampled = this.#length;
+  }
+
+  /** Another brick is shown in a cell of the layout. @param at - its number along each axis */
+  change(at: Vector3): void {
+    const [first, last] = this.#cellsOf(at);
+    const [cx, cy] = this.macrocells.dimensions;
+    for (let k = first[2]; k <= last[2]; k++)
+      for (let j = first[1]; j <= last[1]; j++) {
+        const row = cx * (j + cy * k);
+        this.#changed.fill(1, row + first[0], row + last[0] + 1);
+        this.#first = Math.min(this.#first, row + first[0]);
+      }
+  }
+
+  /**
+   * @param shown - the brick that a cell of the layout shows; undefined where it is the volume itself
+   * @param level - the finest level of which there are bricks; -1 for none
+   * @returns whether any macrocell has changed
+   */
+  update(shown: (cell: number) => MeasuredBrick | undefined, level: number): boolean {
+    const { dimensions, low, high, roughness } = this.macrocells;
+    const sampled = this.#lengths[level] ?? this.#length;
+    const isFiner = sampled !== this.#sampled;
+    let changes = false;
+    for (let at = isFiner ? 0 : this.#first; at < low.length; at++) {
+      const values = this.#changed[at] === 1 ? this.#valuesOf(at, dimensions, shown) : null;
+      if (!values && !isFiner) continue;
+      const before = [low[at], high[at], roughness[at]];
+      if (values) [low[at], high[at], this.#roughness[at]] = [values.low, values.high, values.roughness];
+      const all = (high[at] - low[at]) / offLine;
+      roughness[at] = all > 0 ? Math.min(all, sampled * this.#roughness[at]) : 0;
+      changes ||= before[0] !== low[at] || before[1] !== high[at] || before[2] !== roughness[at];
+    }
+    this.#changed.fill(0);
+    this.#first = low.length;
+    this.#sampled = sampled;
+    return changes;
+  }
+
+  /** The box of a macrocell, in the unit cube. */
+  #boxOf(at: number, [cx, cy]: Vector3): readonly [Vector3, Vector3] {
+    const cell = [at % cx, Math.floor(at / cx) % cy, Math.floor(at / (cx * cy))];
+    const { dimensions } = this.volume.grid;
+    const edge = (n: number, axis: number): number => Math.min(1, (n * this.macrocells.size!) / dimensions[axis]);
+    return [
+      cell.map((n, axis) => edge(n + rounding, axis)),
+      cell.map((n, axis) => edge(n + 1 - rounding, axis)),
+    ] as unknown as [Vector3, Vector3];
+  }
+
+  #valuesOf(at: number, cells: Vector3, shown: (cell: number) => MeasuredBrick | undefined): Values {
+    const [low, high] = this.#boxOf(at, cells);
+    const first = cellOfPlace(this.layout, low);
+    const last = cellOfPlace(this.layout, high);
+    const [cx, cy] = this.layout.cells;
+    const found: Values = { low: Infinity, high: -Infinity, roughness: 0 };
+    const seen = new Set<MeasuredBrick | undefined>();
+    for (let k = first[2]; k <= last[2]; k++)
+      for (let j = first[1]; j <= last[1]; j++)
+        for (let i = first[0]; i <= last[0]; i++) {
+          const brick = shown(i + cx * (j + cy * k));
+          if (seen.has(brick)) continue;
+          seen.add(brick);
+          if (brick) this.#addBlocks(found, brick, [low, high]);
+          else this.#addOwn(found, at);
+        }
+    // Stored values of whole numbers can not say that there are none.
+    return found.low <= found.high ? found : { low: this.#own.low[at], high: this.#own.high[at], roughness: 0 };
+  }
+
+  #addOwn(found: Values, at: number): void {
+    const { low, high, roughness } = this.#own;
+    add(found, low[at], high[at], roughness[at] / this.#length);
+  }
+
+  #addBlocks(found: Values, brick: MeasuredBrick, box: readonly [Vector3, Vector3]): void {
+    brick.blocks ??= measureBlocks(brick.samples);
+    const { low, high, roughness } = brick.blocks;
+    const frame = this.layout.levels[brick.level];
+    const [first, last] = box.map((place) => place.map((x, axis) => clampBlock(blockAt(frame, brick.at, axis, x))));
+    for (let k = first[2]; k <= last[2]; k++)
+      for (let j = first[1]; j <= last[1]; j++)
+        for (let i = first[0]; i <= last[0]; i++) {
+          const block = i + blocksAlong * (j + blocksAlong * k);
+          add(found, low[block], high[block], roughness[block] / this.#lengths[brick.level]);
+        }
+  }
+
+  /** The macrocells that a cell of the layout touches: the first and the last along each axis. */
+  #cellsOf(at: Vector3): readonly [Vector3, Vector3] {
+    const { dimensions, size } = this.macrocells;
+    const {
+      cells,
+      levels: [{ scale, shift }],
+    } = this.layout;
+    const voxels = this.volume.grid.dimensions;
+    const cellAt = (cell: number, axis: number): number => {
+      // Outside of the finest level, the outermost cells are shown.
+      if (cell <= 0) return 0;
+      if (cell >= cells[axis]) return dimensions[axis] - 1;
+      const place = (cell * brickSide - shift[axis]) / scale[axis];
+      return Math.floor((place * voxels[axis]) / size!);
+    };
+    const inside = (n: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, n));
+    return [
+      at.map((n, axis) => inside(cellAt(n, axis) - 1, axis)),
+      at.map((n, axis) => inside(cellAt(n + 1, axis) + 1, axis)),
+    ] as unknown as [Vector3, Vector3];
+  }
+}
+
+/** The smallest size for which there are not too many cells, none below the size that those of the finest level have. */
+function chooseSize(dimensions: Vector3, length: number): number {
+  let size = cellSize;
+  const count = (edge: number): number => dimensions.reduce((product, n) => product * Math.ceil(n / edge), 1);
+  while ((size / 2) * length >= cellSize && count(size / 2) <= maxCells) size /= 2;
+  return size;
+}
+
+const blockAt = ({ scale, shift }: LevelFrame, at: Vector3, axis: number, x: number): number =>
+  (x * scale[axis] + shift[axis] - brickSide * at[axis]) / blockSide;
+
+const clampBlock = (at: number): number => Math.min(blocksAlong - 1, Math.max(0, Math.floor(at)));
+
+function add(found: Values, low: number, high: number, roughness: number): void {
+  if (!(low <= high)) return;
+  found.low = Math.min(found.low, low);
+  found.high = Math.max(found.high, high);
+  found.roughness = Math.max(found.roughness, roughness);
+}
+
+/** Macrocells of a volume of any size. The roughness is that of the larger cell in which one lies. */
+function measureVolume({ grid, samples, macrocells }: BrickCells['volume'], size: number): Macrocells {
+  if (size === cellSize) return { ...macrocells, size };
+  const voxels = grid.dimensions;
+  const dimensions = voxels.map((n) => Math.ceil(n / size)) as unknown as Vector3;
+  const cells = emptyMacrocells(samples, dimensions);
+  const { low, high, roughness } = cells;
+  /** The first and the last voxel that interpolation in a cell reads. */
+  const ends = dimensions.map((count, axis) =>
+    Array.from({ length: count }, (_, n) => [
+      Math.max(0, Math.floor(n * size - 0.5)),
+      Math.min(voxels[axis] - 1, Math.ceil((n + 1) * size - 0.5)),
+    ]),
+  );
+  const large = (n: number): number => Math.floor((n * size) / cellSize);
+  const [lx, ly] = macrocells.dimensions;
+  for (let z = 0, at = 0; z < dimensions[2]; z++)
+    for (let y = 0; y < dimensions[1]; y++)
+      for (let x = 0; x < dimensions[0]; x++, at++) {
+        const [[i0, i1], [j0, j1], [k0, k1]] = [ends[0][x], ends[1][y], ends[2][z]];
+        let [min, max] = [low[at], high[at]];
+        for (let k = k0; k <= k1; k++)
+          for (let j = j0; j <= j1; j++)
+            for (let i = i0, voxel = i0 + voxels[0] * (j + voxels[1] * k); i <= i1; i++, voxel++) {
+              const value = samples[voxel];
+              if (value < min) min = value;
+              if (value > max) max = value;
+            }
+        low[at] = min;
+        high[at] = max;
+        const whole = macrocells.roughness[large(x) + lx * (large(y) + ly * large(z))];
+        roughness[at] = max > min ? Math.min(whole, (max - min) / offLine) : 0;
+      }
+  return { ...cells, size };
+}
