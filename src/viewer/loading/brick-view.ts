@@ -11,6 +11,7 @@ import type { FieldModule } from '../../renderer/ray/ray-module.ts';
 import { pageBytes } from '../../renderer/textures/brick-textures.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import type { FinerLevel } from '../../volume/finer-voxels.ts';
+import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
 import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
@@ -36,6 +37,13 @@ const sliceMs = 6;
 
 /** The room of this page. */
 const pageRoom = new BrickRoom(usualGpuBytes());
+
+/** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */
+const sameShape = 0.03;
+
+function isNearly(one: Matrix4, other: Matrix4): boolean {
+  return one.every((x, i) => Math.abs(x - other[i]) <= sameShape * Math.abs(other[i]));
+}
 
 /** The view of a volume in bricks, and where its bricks come from. */
 export interface BrickViewParts {
@@ -147,8 +155,9 @@ export class BrickView implements ViewPart {
     const optics = look.current;
     if (this.#users === 0 || !optics || viewer?.volume !== this.volume) return;
     const { away } = viewer.shown.cuts;
-    const key = JSON.stringify([view, projection, optics, away, settings.quality.value?.maxError]);
-    if (key === this.#picture?.key) return;
+    const key = JSON.stringify([view, optics, away, settings.quality.value?.maxError]);
+    // A moving picture has fewer pixels, and so not quite the same shape.
+    if (key === this.#picture?.key && isNearly(projection, this.#picture.view.projection)) return;
     this.#picture = { key, view: { view, projection }, optics, away };
     this.#begin();
   }

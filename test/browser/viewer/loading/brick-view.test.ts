@@ -228,6 +228,32 @@ describe('a pyramid in bricks on a page', () => {
     expect(log.alive).to.equal(0);
   });
 
+  it('comes to rest after each turn, though moving pictures have another shape', async function () {
+    this.timeout(90_000);
+    const { fetch } = serve({ dimensions: [128, 128, 128], levels: 3 });
+    const view = addView(fetch, {
+      'transfer-function': look['transfer-function'],
+      'camera-orbit': '30deg 65deg 300',
+      'max-gpu-bytes': '1500000',
+      'max-error': '4',
+    });
+    view.style.cssText = 'display: block; width: 331px; height: 173px';
+    await view.whenRendered();
+    const shapes = new Set<string>();
+    view.addEventListener('render', () => shapes.add((view.renderStats!.width / view.renderStats!.height).toFixed(4)));
+    for (const orbit of ['50deg 60deg 300', '20deg 40deg 280']) {
+      view.setAttribute('camera-orbit', orbit);
+      await view.whenRendered();
+      expect(view.renderStats!.converged).to.equal(true);
+    }
+    expect(shapes.size, [...shapes].join()).to.be.above(1);
+    let drawn = 0;
+    view.addEventListener('render', () => drawn++);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    view.remove();
+    expect(drawn).to.equal(0);
+  });
+
   it('asks for at most 8 files at once, keeps what the page allows, and asks for nothing once it has left', async function () {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [512, 512, 512], levels: 5 }, 20);
