@@ -13,6 +13,7 @@ import type { ErrorPart } from '../../quality/error-estimate.ts';
 import { voxelsAlong } from '../../quality/steps.ts';
 import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
+import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
@@ -25,6 +26,14 @@ export interface BrickPicture {
   readonly optics: VolumeOptics;
   /** What is cut away; undefined for nothing. */
   readonly away?: WorldCut;
+}
+
+/** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */
+const nearly = 0.03;
+
+/** Whether two pictures of one view differ in their pixels alone. */
+export function isSameShape(one: Matrix4, other: Matrix4): boolean {
+  return one.every((x, i) => Math.abs(x - other[i]) <= nearly * Math.abs(other[i]));
 }
 
 /** What was found. */

@@ -11,12 +11,11 @@ import type { FieldModule } from '../../renderer/ray/ray-module.ts';
 import { pageBytes } from '../../renderer/textures/brick-textures.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import type { FinerLevel } from '../../volume/finer-voxels.ts';
-import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
 import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
-import { estimateBricks } from './brick-estimate.ts';
+import { estimateBricks, isSameShape } from './brick-estimate.ts';
 import type { BrickEstimate, BrickPicture } from './brick-estimate.ts';
 import { BrickLoading } from './brick-loading.ts';
 import { BrickRoom } from './brick-room.ts';
@@ -37,13 +36,6 @@ const sliceMs = 6;
 
 /** The room of this page. */
 const pageRoom = new BrickRoom(usualGpuBytes());
-
-/** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */
-const sameShape = 0.03;
-
-function isNearly(one: Matrix4, other: Matrix4): boolean {
-  return one.every((x, i) => Math.abs(x - other[i]) <= sameShape * Math.abs(other[i]));
-}
 
 /** The view of a volume in bricks, and where its bricks come from. */
 export interface BrickViewParts {
@@ -157,7 +149,7 @@ export class BrickView implements ViewPart {
     const { away } = viewer.shown.cuts;
     const key = JSON.stringify([view, optics, away, settings.quality.value?.maxError]);
     // A moving picture has fewer pixels, and so not quite the same shape.
-    if (key === this.#picture?.key && isNearly(projection, this.#picture.view.projection)) return;
+    if (key === this.#picture?.key && isSameShape(projection, this.#picture.view.projection)) return;
     this.#picture = { key, view: { view, projection }, optics, away };
     this.#begin();
   }
