@@ -391,6 +391,18 @@ async function photographPointing(page) {
   return (await page.screenshot()).toString('base64');
 }
 
+/** The stone of its page, once all bricks of the view have come. @param {import('@playwright/test').Page} page */
+async function photographLarge(page) {
+  await page.goto(`${server.resolvedUrls?.local[0]}demos/large.html`);
+  await page.addStyleTag({ content: '#stone { inline-size: 640px !important; aspect-ratio: 4 / 3 }' });
+  await page.evaluate(async () => {
+    const view = /** @type {import('../../src/index.ts').VolumeView} */ (document.querySelector('#stone'));
+    view.controls = false;
+    await view.whenRendered();
+  });
+  return (await page.locator('#stone').screenshot()).toString('base64');
+}
+
 /**
  * The card of the page with values over time: a brain with a cross, and the curve below it.
  * @param {import('@playwright/test').Page} page
@@ -622,6 +634,7 @@ const photographOfArchive = (folder) => [
 const photographs = new Map([
   [card('companions', []), photographCompanions],
   [card('pointing', []), photographPointing],
+  [card('large', []), photographLarge],
   [card('over-time', []), photographOverTime],
   [card('measure', []), photographMeasure],
   [card('notes', []), photographNotes],

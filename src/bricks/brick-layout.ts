@@ -13,6 +13,9 @@ export const slotSide = brickSide + 2 * brickHalo;
 
 export const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
+/** Bytes of a cell in the GPU's table of pages: two texels of four floats. Twin: shaders/chunks/field/bricks-3d.glsl */
+export const bytesOfCell = 32;
+
 /** A level of a pyramid over the unit cube of a volume. */
 export interface LevelFrame extends Pick<BrickLevel, 'dimensions' | 'bricks' | 'factors'> {
   /** Voxels of the level = scale * place + shift; whole numbers are at the faces between voxels. */

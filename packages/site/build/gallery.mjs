@@ -24,6 +24,7 @@ export const pagesOfDemos = {
   video: 'scans-in-time',
   layers: 'layers',
   microscopy: 'data',
+  large: 'data',
   radar: 'radar',
   surfaces: 'surfaces',
   'one-tag': 'first-steps',

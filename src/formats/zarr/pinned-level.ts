@@ -1,5 +1,5 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
-import { atlasEdge } from '../../bricks/brick-layout.ts';
+import { atlasEdge, bytesOfCell } from '../../bricks/brick-layout.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import { chooseKeptBytes, shareOfBrick, usualGpuBytes } from '../base/brick-limits.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
@@ -17,8 +17,9 @@ const pinnedBytes = 2 ** 25;
 /** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
 const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
 
-/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. */
+/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. It may take this share of the bytes. */
 const maxCells = 2 ** 20;
+const shareOfTable = 1 / 2;
 
 /** A pyramid that is read in bricks: the level that is always there, as a whole, and those that come in bricks. */
 export interface PinnedLevel {
@@ -56,13 +57,14 @@ export function choosePinned(
   const box =
     boxes.find((one) => isSmall(one, most) && hasRoom(one)) ??
     (hasRoom(coarsest) && isSmall(coarsest, Math.min(bytes * shareOfCoarsest, limits.maxBytes)) ? coarsest : null);
+  const mostCells = Math.min(maxCells, (bytes * shareOfTable) / bytesOfCell);
   const inBricks = chooseBrickLevels(image, chooseKeptBytes() * shareOfBrick).filter(
     ({ number }) => box && number < boxes.indexOf(box),
   );
   const levels = relativeToFirst(
     inBricks
       .map(({ brick }) => brick)
-      .filter(({ bricks: [x, y, z] }) => x * y * z <= maxCells && Math.max(2 * x, y, z) <= limits.maxVoxelsPerAxis),
+      .filter(({ bricks: [x, y, z] }) => x * y * z <= mostCells && Math.max(2 * x, y, z) <= limits.maxVoxelsPerAxis),
   );
   return box && levels.length > 0 ? { box, numbers, levels } : null;
 }

@@ -1,5 +1,5 @@
 import { brickSide } from '../../bricks/brick-data.ts';
-import { brickHalo, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
+import { brickHalo, bytesOfCell, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { allocateLike } from '../../volume/samples.ts';
@@ -12,11 +12,11 @@ import type { Texels, Upload } from './fill-texture.ts';
 /** A larger atlas is so many times as large, if there may be so many slots: all bricks have to be written again. */
 const growth = 4;
 
-/** Floats of a cell in the page table. Twin: shaders/chunks/field/bricks-3d.glsl */
-const cellFloats = 8;
+/** Floats of a cell in the page table. */
+const cellFloats = bytesOfCell / 4;
 
 /** Bytes of the page table. */
-export const pageBytes = ([cx, cy, cz]: readonly [number, number, number]): number => 4 * cellFloats * cx * cy * cz;
+export const pageBytes = ([cx, cy, cz]: readonly [number, number, number]): number => bytesOfCell * cx * cy * cz;
 
 /** How samples become texels. */
 export interface BrickPacking {
