@@ -129,7 +129,7 @@ function describeLevel(level) {
   return {
     zarr_format: 3,
     node_type: 'array',
-    shape: voxelsOf(level).reverse(),
+    shape: voxelsOf(level).toReversed(),
     data_type: 'uint8',
     chunk_grid: { name: 'regular', configuration: { chunk_shape: [chunkSide, chunkSide, chunkSide] } },
     chunk_key_encoding: { name: 'default', configuration: { separator: '/' } },
