@@ -30,6 +30,7 @@ const programs = [
   'codecs',
   'folder',
   'bricks',
+  'bricked',
   'video',
   'video-looks',
   'video-loops',

@@ -1,0 +1,115 @@
+// `npm run bench -- bricked`: what a view of a pyramid costs as its volume grows, in bricks and, where a device holds it, as a whole: the stone of
+// demos/large at one place, from 256 x 192 x 160 voxels to 4,096 x 3,072 x 2,560. Workers of the page compute its chunks, on the same processor.
+import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { formatMegabytes, printTable } from './table.mjs';
+
+/** Levels of the stone that are left out: the next one is then the finest. */
+const shifts = (process.env.SHIFTS ?? '4,3,2,1,0').split(',').map(Number);
+
+/** Up to so many levels left out, the volume is also read as a whole. */
+const wholeFrom = 3;
+
+/** Longest time for one picture, s. */
+const patience = 150;
+
+const looks = {
+  soft: '50 #4a3423 0%, 105 #9a744c 45%, 165 #d8bc8e 75%, 255 #fff6e2 90%',
+  opaque: '40 #5a4632 0%, 50 #5a4632 100%, 130 #c9a877 100%, 255 #fff4dd 100%',
+};
+
+/**
+ * In the page.
+ * @param {{ base: string, shift: number, attributes: Record<string, string>, patience: number }} asked
+ */
+async function showStone({ base, shift, attributes, patience: seconds }) {
+  await import(`${base}dist/volume-view.js`);
+  const folder = `${base}stone.ome.zarr/`;
+  const counts = { chunks: 0, bytes: 0 };
+  /** @type {Map<number, (body: string | Uint8Array | null) => void>} */
+  const answers = new Map();
+  const worker = new Worker(`${base}demos/large/stone.js`);
+  worker.onmessage = ({ data: { id, body } }) => {
+    answers.get(id)?.(body);
+    answers.delete(id);
+  };
+  let number = 0;
+  /** @param {string} path @returns {Promise<any>} */
+  const ask = (path) =>
+    new Promise((resolve) => {
+      answers.set(++number, resolve);
+      worker.postMessage({ id: number, path });
+    });
+  const view = document.createElement('volume-view');
+  view.fetch = async (url) => {
+    const [, level, rest] = /^(?:(\d)\/)?(.*)$/.exec(String(url).slice(folder.length)) ?? [];
+    let body = await ask(level ? `${Number(level) + shift}/${rest}` : rest);
+    if (!level && body) {
+      const group = JSON.parse(body);
+      const [image] = group.attributes.ome.multiscales;
+      image.datasets = image.datasets.slice(shift);
+      for (const [i, dataset] of image.datasets.entries()) dataset.path = String(i);
+      body = JSON.stringify(group);
+    }
+    if (rest.startsWith('c/')) counts.chunks++;
+    counts.bytes += body?.length ?? 0;
+    return new Response(body, { status: body ? 200 : 404 });
+  };
+  for (const [name, value] of Object.entries({ alt: 'A stone', loading: 'eager', src: folder, ...attributes }))
+    view.setAttribute(name, value);
+  view.style.cssText = 'display: block; width: 320px; height: 240px';
+  const began = performance.now();
+  let first = 0;
+  view.addEventListener('render', () => (first ||= performance.now() - began));
+  document.body.append(view);
+  const late = new Promise((resolve) => setTimeout(() => resolve('late'), 1000 * seconds));
+  const isFinal = (await Promise.race([view.whenRendered(), late])) !== 'late';
+  const final = performance.now() - began;
+  const { frameMs, steps, error, bricks } = /** @type {any} */ (view.renderStats);
+  view.remove();
+  worker.terminate();
+  return { first, final: isFinal ? final : null, frameMs, steps, error, bricks, ...counts };
+}
+
+export async function run() {
+  await measurePackage(async ({ url, openPage, machine }) => {
+    for (const [look, transferFunction] of Object.entries(looks)) {
+      const rows = [];
+      for (const shift of shifts)
+        for (const way of shift >= wholeFrom ? ['whole', 'bricks'] : ['bricks']) {
+          const page = await openPage('test/bench/empty.html');
+          const size = [4096, 3072, 2560].map((n) => n / 2 ** shift).join(' × ');
+          const found = await page.evaluate(showStone, {
+            base: url,
+            shift,
+            patience,
+            attributes: {
+              'transfer-function': transferFunction,
+              'camera-orbit': '30deg 68deg 72%',
+              'max-error': '2',
+              ...(look === 'soft' && { shading: 'lit' }),
+              ...(way === 'whole'
+                ? { 'max-bytes': '100e6' }
+                : { 'max-gpu-bytes': ['64e6', '64e6', '64e6', '40e6', '6e6'][shift] }),
+            },
+          });
+          await page.close();
+          const { first, final, frameMs, steps, error, bricks, chunks, bytes } = found;
+          rows.push({
+            voxels: size,
+            way,
+            'first picture, s': (first / 1000).toFixed(1),
+            'final, s': final === null ? `not in ${patience}` : (final / 1000).toFixed(1),
+            'last picture, ms': frameMs.toFixed(0),
+            steps,
+            chunks,
+            'read, MB': formatMegabytes(bytes),
+            bricks: bricks?.count ?? '',
+            'bricks on the GPU, MB': bricks ? formatMegabytes(bricks.bytes) : '',
+            'error stated': error ? error.rms.toFixed(2) : '',
+          });
+          console.error(JSON.stringify(rows.at(-1)));
+        }
+      printTable(`A stone, ${look}, 320 x 240 pixels, max-error 2 (${nameMachine(machine)})`, rows);
+    }
+  });
+}
