@@ -41,7 +41,7 @@ async function showStone({ base, shift, attributes, patience: seconds }) {
     });
   const view = document.createElement('volume-view');
   view.fetch = async (url) => {
-    const [, level, rest] = /^(?:(\d)\/)?(.*)$/.exec(String(url).slice(folder.length)) ?? [];
+    const [, level, rest] = /^(?:(\d)\/)?(.*)$/.exec(/** @type {string} */ (url).slice(folder.length)) ?? [];
     let body = await ask(level ? `${Number(level) + shift}/${rest}` : rest);
     if (!level && body) {
       const group = JSON.parse(body);
