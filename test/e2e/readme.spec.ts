@@ -115,6 +115,8 @@ for (const [index, block] of frames.entries()) {
     const close = await openBlock(page, makeFolder(testInfo.outputPath('mine')), block);
     const box = (await page.locator('iframe').boundingBox())!;
     expect(box.height).toBeGreaterThanOrEqual(300);
+    // The frame has its address only once it begins to load.
+    await expect.poll(() => page.frame({ url: /embed\.html/ }) !== null).toBe(true);
     const frame = page.frame({ url: /embed\.html/ })!;
     expect(await shareShown(frame)).toBeGreaterThan(0.05);
     await expect(frame.getByRole('button').first()).toBeVisible();
