@@ -23,38 +23,13 @@ const looks = {
  */
 async function showStone({ base, shift, attributes, patience: seconds }) {
   await import(`${base}dist/volume-view.js`);
-  const folder = `${base}stone.ome.zarr/`;
-  const counts = { chunks: 0, bytes: 0 };
-  /** @type {Map<number, (body: string | Uint8Array | null) => void>} */
-  const answers = new Map();
-  const worker = new Worker(`${base}demos/large/stone.js`);
-  worker.onmessage = ({ data: { id, body } }) => {
-    answers.get(id)?.(body);
-    answers.delete(id);
-  };
-  let number = 0;
-  /** @param {string} path @returns {Promise<any>} */
-  const ask = (path) =>
-    new Promise((resolve) => {
-      answers.set(++number, resolve);
-      worker.postMessage({ id: number, path });
-    });
+  const { serveStone } = /** @type {typeof import('./serve-stone.mjs')} */ (
+    await import(`${base}test/bench/serve-stone.mjs`)
+  );
+  const stone = serveStone(base, shift);
   const view = document.createElement('volume-view');
-  view.fetch = async (url) => {
-    const [, level, rest] = /^(?:(\d)\/)?(.*)$/.exec(/** @type {string} */ (url).slice(folder.length)) ?? [];
-    let body = await ask(level ? `${Number(level) + shift}/${rest}` : rest);
-    if (!level && body) {
-      const group = JSON.parse(body);
-      const [image] = group.attributes.ome.multiscales;
-      image.datasets = image.datasets.slice(shift);
-      for (const [i, dataset] of image.datasets.entries()) dataset.path = String(i);
-      body = JSON.stringify(group);
-    }
-    if (rest.startsWith('c/')) counts.chunks++;
-    counts.bytes += body?.length ?? 0;
-    return new Response(body, { status: body ? 200 : 404 });
-  };
-  for (const [name, value] of Object.entries({ alt: 'A stone', loading: 'eager', src: folder, ...attributes }))
+  view.fetch = stone.fetch;
+  for (const [name, value] of Object.entries({ alt: 'A stone', loading: 'eager', src: stone.folder, ...attributes }))
     view.setAttribute(name, value);
   view.style.cssText = 'display: block; width: 320px; height: 240px';
   const began = performance.now();
@@ -66,8 +41,8 @@ async function showStone({ base, shift, attributes, patience: seconds }) {
   const final = performance.now() - began;
   const { frameMs, steps, error, bricks } = /** @type {any} */ (view.renderStats);
   view.remove();
-  worker.terminate();
-  return { first, final: isFinal ? final : null, frameMs, steps, error, bricks, ...counts };
+  stone.close();
+  return { first, final: isFinal ? final : null, frameMs, steps, error, bricks, ...stone.counts };
 }
 
 export async function run() {

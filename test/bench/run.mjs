@@ -31,6 +31,7 @@ const programs = [
   'folder',
   'bricks',
   'bricked',
+  'soak',
   'video',
   'video-looks',
   'video-loops',
