@@ -1,4 +1,6 @@
 // A stone that no server has: workers compute each chunk that the element asks for. On a web server, `src` alone would do.
+import { startWorkers } from './large/ask-workers.js';
+
 const view = document.querySelector('#stone');
 const state = document.querySelector('#state');
 const fields = new Map([...document.querySelectorAll('[data-stat]')].map((cell) => [cell.dataset.stat, cell]));
@@ -6,41 +8,12 @@ const fields = new Map([...document.querySelectorAll('[data-stat]')].map((cell) 
 const folder = new URL('stone.ome.zarr/', location.href).href;
 const counts = { chunks: 0, bytes: 0 };
 
-/** Workers that have nothing to do, and questions that wait for one. */
-const idle = [];
-const waiting = [];
-const answers = new Map();
-let number = 0;
-
-for (let n = Math.min(4, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1)); n > 0; n--) {
-  const worker = new Worker(new URL('large/stone.js', import.meta.url), { type: 'module' });
-  worker.addEventListener('message', ({ data: { id, body } }) => {
-    answers.get(id)(body);
-    answers.delete(id);
-    idle.push(worker);
-    next();
-  });
-  idle.push(worker);
-}
-
-function next() {
-  while (waiting.length > 0 && idle.length > 0) {
-    const { path, signal, resolve } = waiting.shift();
-    // The view has moved on.
-    if (signal?.aborted) continue;
-    answers.set(++number, resolve);
-    idle.pop().postMessage({ id: number, path });
-  }
-}
+const { ask } = startWorkers(Math.min(4, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1)));
 
 /** Answers as a web server with the folder would. */
 async function compute(url, { signal } = {}) {
   const path = String(url).slice(folder.length);
-  const body = await new Promise((resolve, reject) => {
-    signal?.addEventListener('abort', () => reject(signal.reason));
-    waiting.push({ path, signal, resolve });
-    next();
-  });
+  const body = await ask(path, signal);
   if (path.includes('/c/')) counts.chunks++;
   counts.bytes += body?.length ?? 0;
   return new Response(body, { status: body ? 200 : 404 });
@@ -50,7 +23,7 @@ view.fetch = (url, options) => (String(url).startsWith(folder) ? compute(url, op
 
 const places = {
   stone: { 'camera-target': null, 'camera-orbit': '30deg 68deg 72%' },
-  corner: { 'camera-target': '-5.222 -1.368 3.131', 'camera-orbit': '30deg 68deg 18%' },
+  side: { 'camera-target': '-5.222 -1.368 3.131', 'camera-orbit': '30deg 68deg 18%' },
   grain: { 'camera-target': '-5.222 -1.368 3.131', 'camera-orbit': '30deg 68deg 4%' },
 };
 

@@ -148,4 +148,4 @@ function answer(path) {
   return chunk && makeChunk(Number(level), [Number(chunk[3]), Number(chunk[2]), Number(chunk[1])]);
 }
 
-addEventListener('message', ({ data: { id, path } }) => postMessage({ id, body: answer(path) }));
+addEventListener('message', ({ data }) => postMessage(answer(data)));

@@ -1,4 +1,5 @@
 import { cellSize, offLine } from '../volume/cell-size.ts';
+import { finestSpacing } from '../volume/grid.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -7,7 +8,7 @@ import { blockSide, blocksAlong, measureBlocks } from './block-ranges.ts';
 import type { BlockRanges } from './block-ranges.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { cellOfPlace } from './brick-layout.ts';
+import { cellOfPlace, gridOfLevel } from './brick-layout.ts';
 import type { BrickLayout, LevelFrame } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
@@ -23,7 +24,7 @@ export interface MeasuredBrick extends Brick, Pick<BrickSamples, 'samples'> {
   blocks?: BlockRanges;
 }
 
-/** The values of some places: stored units; roughness for each voxel of the finest level. */
+/** The values of some places: stored units; roughness from one voxel of the finest level to the next. */
 interface Values {
   low: number;
   high: number;
@@ -36,11 +37,11 @@ interface Values {
  */
 export class BrickCells {
   readonly macrocells: Macrocells;
-  /** Roughness for each voxel of the finest level. */
+  /** From one voxel of the finest level to the next. */
   readonly #roughness: Float32Array;
   /** What the volume alone has. */
   readonly #own: Macrocells;
-  /** Voxels of the finest level along the shortest edge of a voxel of each level, and of the volume. */
+  /** The shortest edge of a voxel of each level, and of the volume: as a multiple of that of the finest level. Steps are counted by it, too. */
   readonly #lengths: readonly number[];
   readonly #length: number;
   /** Macrocells of which something has changed. */
@@ -52,11 +53,10 @@ export class BrickCells {
     readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
     readonly layout: BrickLayout,
   ) {
-    const [finest] = layout.levels;
-    const lengthOf = (scale: Vector3): number => Math.min(...scale.map((n, axis) => finest.scale[axis] / n));
-    this.#lengths = layout.levels.map(({ scale }) => lengthOf(scale));
-    this.#length = lengthOf(volume.grid.dimensions);
-    this.#own = measureVolume(volume, chooseSize(volume.grid.dimensions, this.#length));
+    const finest = finestSpacing(layout.finest);
+    this.#lengths = layout.levels.map((level) => finestSpacing(gridOfLevel(volume.grid, level)) / finest);
+    this.#length = finestSpacing(volume.grid) / finest;
+    this.#own = measureVolume(volume, chooseSize(volume.grid.dimensions, layout.finest.dimensions));
     const { low, high, roughness } = this.#own;
     this.macrocells = { ...this.#own, low: low.slice(), high: high.slice(), roughness: roughness.slice() };
     this.#roughness = roughness.map((rough) => rough / this.#length);
@@ -65,9 +65,9 @@ export class BrickCells {
     this.#sampled = this.#length;
   }
 
-  /** Another brick is shown in a cell of the layout. @param at - its number along each axis */
-  change(at: Vector3): void {
-    const [first, last] = this.#cellsOf(at);
+  /** Other bricks may be shown in a box of the layout's cells. @param from, to - their numbers along each axis, without the last ones */
+  change(from: Vector3, to: Vector3): void {
+    const [first, last] = this.#cellsOf(from, to);
     const [cx, cy] = this.macrocells.dimensions;
     for (let k = first[2]; k <= last[2]; k++)
       for (let j = first[1]; j <= last[1]; j++) {
@@ -151,8 +151,8 @@ export class BrickCells {
         }
   }
 
-  /** The macrocells that a cell of the layout touches: the first and the last along each axis. */
-  #cellsOf(at: Vector3): readonly [Vector3, Vector3] {
+  /** The macrocells that a box of the layout's cells touches: the first and the last along each axis. */
+  #cellsOf(from: Vector3, to: Vector3): readonly [Vector3, Vector3] {
     const { dimensions, size } = this.macrocells;
     const {
       cells,
@@ -168,17 +168,18 @@ export class BrickCells {
     };
     const inside = (n: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, n));
     return [
-      at.map((n, axis) => inside(cellAt(n, axis) - 1, axis)),
-      at.map((n, axis) => inside(cellAt(n + 1, axis) + 1, axis)),
+      from.map((n, axis) => inside(cellAt(n, axis) - 1, axis)),
+      to.map((n, axis) => inside(cellAt(n, axis) + 1, axis)),
     ] as unknown as [Vector3, Vector3];
   }
 }
 
 /** The smallest size for which there are not too many cells, none below the size that those of the finest level have. */
-function chooseSize(dimensions: Vector3, length: number): number {
+function chooseSize(dimensions: Vector3, finest: Vector3): number {
+  const voxels = Math.min(...dimensions.map((n, axis) => finest[axis] / n));
   let size = cellSize;
   const count = (edge: number): number => dimensions.reduce((product, n) => product * Math.ceil(n / edge), 1);
-  while ((size / 2) * length >= cellSize && count(size / 2) <= maxCells) size /= 2;
+  while ((size / 2) * voxels >= cellSize && count(size / 2) <= maxCells) size /= 2;
   return size;
 }
 

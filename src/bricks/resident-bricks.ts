@@ -150,9 +150,9 @@ export class ResidentBricks implements FinerVoxels {
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
-    this.#visitCells(brick, (cell, at) => {
+    this.#visitCells(brick, (cell) => {
       const shown = this.pages[4 * cell + 3];
-      if (shown === 0 || shown - 1 > level) this.#show(cell, at, brick);
+      if (shown === 0 || shown - 1 > level) this.#show(cell, brick);
     });
     this.changes.pages++;
     this.#widen(brick);
@@ -167,7 +167,7 @@ export class ResidentBricks implements FinerVoxels {
     this.#free.push(brick.slot);
     this.#counts[brick.level]--;
     this.#visitCells(brick, (cell, at) => {
-      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, at, this.#coarser(at, brick.level));
+      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, this.#coarser(at, brick.level));
     });
     this.changes.pages++;
   }
@@ -255,8 +255,7 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bySlot[this.slotOf(this.cellAt(place))];
   }
 
-  #show(cell: number, at: Vector3, brick: ResidentBrick | undefined): void {
-    this.#cells.change(at);
+  #show(cell: number, brick: ResidentBrick | undefined): void {
     const slot = brick?.slot ?? 0;
     this.pages.set([slot & 255, (slot >> 8) & 255, slot >> 16, brick ? brick.level + 1 : 0], 4 * cell);
   }
@@ -272,9 +271,11 @@ export class ResidentBricks implements FinerVoxels {
     return undefined;
   }
 
+  /** The cells of a brick that comes or goes. */
   #visitCells({ level, at }: Brick, visit: (cell: number, at: Vector3) => void): void {
     const { cells } = this.layout;
     const [low, high] = cellsOfBrick(this.layout, level, at);
+    this.#cells.change(low, high);
     for (let k = low[2]; k < high[2]; k++)
       for (let j = low[1]; j < high[1]; j++)
         for (let i = low[0]; i < high[0]; i++) visit(i + cells[0] * (j + cells[1] * k), [i, j, k]);

@@ -1,5 +1,7 @@
 // In the page: the stone of demos/large without some of its finest levels, as `view.fetch` reads it, over a network that may be slow and fail.
 
+import { startWorkers } from '../../demos/large/ask-workers.js';
+
 /**
  * @typedef {object} Network
  * @property {number} [delay] - before each answer, ms
@@ -15,20 +17,7 @@
 export function serveStone(base, shift, { delay = 0, bytesPerSecond = Infinity, failing = 0 } = {}) {
   const folder = `${base}stone.ome.zarr/`;
   const counts = { asked: 0, alive: 0, most: 0, failed: 0, chunks: 0, bytes: 0 };
-  /** @type {Map<number, (body: string | Uint8Array | null) => void>} */
-  const answers = new Map();
-  const worker = new Worker(`${base}demos/large/stone.js`);
-  worker.onmessage = ({ data: { id, body } }) => {
-    answers.get(id)?.(body);
-    answers.delete(id);
-  };
-  let number = 0;
-  /** @param {string} path @returns {Promise<any>} */
-  const ask = (path) =>
-    new Promise((resolve) => {
-      answers.set(++number, resolve);
-      worker.postMessage({ id: number, path });
-    });
+  const { ask, close } = startWorkers(1);
   let state = 1;
   const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
   /** When the wire is free again. */
@@ -46,7 +35,7 @@ export function serveStone(base, shift, { delay = 0, bytesPerSecond = Infinity, 
     const body = await ask(level ? `${Number(level) + shift}/${rest}` : rest);
     if (rest.startsWith('c/')) counts.chunks++;
     if (level || !body) return body;
-    const group = JSON.parse(body);
+    const group = JSON.parse(/** @type {string} */ (body));
     const [image] = group.attributes.ome.multiscales;
     image.datasets = image.datasets.slice(shift);
     for (const [i, dataset] of image.datasets.entries()) dataset.path = String(i);
@@ -76,5 +65,5 @@ export function serveStone(base, shift, { delay = 0, bytesPerSecond = Infinity, 
     }
   }
 
-  return { folder, fetch: fetchStone, counts, close: () => worker.terminate() };
+  return { folder, fetch: fetchStone, counts, close };
 }

@@ -17,8 +17,10 @@ const pinnedBytes = 2 ** 25;
 /** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
 const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
 
-/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. It may take this share of the bytes. */
+/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. */
 const maxCells = 2 ** 20;
+
+/** The share of the GPU's bytes that this table may take. */
 const shareOfTable = 1 / 2;
 
 /** A pyramid that is read in bricks: the level that is always there, as a whole, and those that come in bricks. */

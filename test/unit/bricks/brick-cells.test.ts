@@ -5,6 +5,7 @@ import { layBricks } from '../../../src/bricks/brick-layout.ts';
 import { findSeenCells } from '../../../src/optics/cells/seen-cells.ts';
 import { cellSize, offLine } from '../../../src/volume/cell-size.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
+import type { CartesianGrid } from '../../../src/volume/grid.ts';
 import { buildMacrocells } from '../../../src/volume/macrocells.ts';
 import type { Macrocells } from '../../../src/volume/macrocells.ts';
 import { scaleAndTranslate } from '../../../src/volume/matrix.ts';
@@ -116,5 +117,28 @@ describe('macrocells of bricks', () => {
     expect(before[far]).to.be.above(50);
     expect(after[far] / before[far]).to.be.closeTo(1 / 4, 1e-6);
     expect(brickSide).to.equal(32);
+  });
+
+  it('are as rough as steps of the shortest edge find them, where voxels are longer along other axes', () => {
+    const gridOfVoxels = (edges: Vector3): CartesianGrid =>
+      cartesianGrid(
+        edges.map((edge) => 256 / edge) as unknown as Vector3,
+        scaleAndTranslate(edges, edges.map((edge) => edge / 2) as unknown as Vector3),
+      );
+    const coarse = gridOfVoxels([4, 16, 16]);
+    const random = randomNumbers(6);
+    const samples = new Uint8Array(64 * 16 * 16).map(() => 255 * random());
+    const volume = { grid: coarse, samples, macrocells: buildMacrocells(samples, coarse.dimensions) };
+    const layout = layBricks(coarse, [
+      { ...gridOfVoxels([1, 4, 4]), bricks: [8, 2, 2], factors: [1, 1, 1] },
+      { ...gridOfVoxels([4, 4, 4]), bricks: [2, 2, 2], factors: [4, 1, 1] },
+    ])!;
+    const cells = new BrickCells(volume, layout);
+    const before = cells.macrocells.roughness.slice();
+    // Bricks whose voxels have the same shortest edge as the volume's: rays take no shorter steps than before.
+    cells.update(() => undefined, 1);
+    expect(Array.from(cells.macrocells.roughness)).to.deep.equal(Array.from(before));
+    cells.update(() => undefined, 0);
+    expect(cells.macrocells.roughness[5] / before[5]).to.be.closeTo(1 / 4, 1e-6);
   });
 });
