@@ -14,8 +14,11 @@ import type { OmeImage } from './open-image.ts';
 /** Bytes of the level that is always there: it is read as a whole before the first brick, and panes show it. */
 const pinnedBytes = 2 ** 25;
 
-/** The share of the GPU's bytes that it may take, and where no level is so small, the coarsest one. */
-const [shareOfPinned, shareOfCoarsest] = [1 / 4, 1 / 2];
+/**
+ * The share of the GPU's bytes that it may take, so that all views that have a context at once have room for it; and where no level is so small, the coarsest
+ * one.
+ */
+const [shareOfPinned, shareOfCoarsest] = [1 / 7, 1 / 2];
 
 /** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. */
 const maxCells = 2 ** 20;

@@ -37,6 +37,9 @@ export interface BrickOpening {
   readonly before?: number;
 }
 
+/** Of all that are open: a page may show many. */
+const queue = new Queue(bricksAtOnce);
+
 /**
  * Opens an OME-Zarr to read one channel of one time of it in bricks.
  * @param settings - as the ordinary volume is read with
@@ -61,7 +64,6 @@ export async function openZarrBricks(
   const at = array.shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? shown.index : 0));
   const numbers = chooseBrickNumbers(array.type, array.littleEndian, scaling ?? { slope: 1, intercept: 0 });
   const source = new ChunkSource(limited, new ByteCache(most), deviceBytes);
-  const queue = new Queue(bricksAtOnce);
   /** What is under way; null once the store is closed. */
   let running: Set<AbortController> | null = new Set();
   const close = (): void => {

@@ -58,7 +58,7 @@ export class BrickTextures {
     const [cx, cy, cz] = this.bricks.layout.cells;
     gl.bindTexture(gl.TEXTURE_3D, this.#pages);
     gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, 2 * cx, cy, cz);
-    if (!this.#allocate(1)) return false;
+    if (!this.#allocate(Math.min(1, this.#layersOf(this.bricks.capacity)))) return false;
     yield* this.#writeVolume();
     return true;
   }
@@ -94,15 +94,18 @@ export class BrickTextures {
     this.#atlas = null;
   }
 
+  #layersOf(slots: number): number {
+    return Math.ceil(slots / this.#shape.slotsOfLayer);
+  }
+
   #update(): void {
     const { bricks } = this;
     if (this.#changes === bricks.changes.pages) return;
     this.#changes = bricks.changes.pages;
-    const layersOf = (slots: number): number => Math.ceil(slots / this.#shape.slotsOfLayer);
-    const layers = layersOf(bricks.slots);
-    const most = layersOf(bricks.capacity);
+    const layers = this.#layersOf(bricks.slots);
+    const most = this.#layersOf(bricks.capacity);
     if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
-    else if (this.#layers > most) this.#resize(Math.max(1, most));
+    else if (this.#layers > most) this.#resize(most);
     for (let slot = 0; slot < bricks.slots; slot++) {
       const brick = bricks.inSlot(slot);
       if (brick && brick !== this.#written[slot]) this.#write(brick);

@@ -21,6 +21,8 @@ export interface BrickLoadingParts {
   readonly bytesOfBrick: number;
   /** Bricks have come or gone: the picture is another one. */
   changed(): void;
+  /** There may be more bricks than before. */
+  grew(): void;
   /** A brick could not be read. It is not asked for again. */
   failed(error: unknown): void;
 }
@@ -46,7 +48,8 @@ export class BrickLoading {
   /** What each missing brick of the present view brings a byte: so much it is worth when it is there. Else it might have to go for itself. */
   #brings = new Map<string, number>();
   #isClosed = false;
-  readonly #fit = (): void => this.#shrink();
+  #share = Infinity;
+  readonly #fit = (): void => this.#followShare();
 
   constructor(readonly parts: BrickLoadingParts) {
     parts.room.enter(this.#fit);
@@ -85,14 +88,12 @@ export class BrickLoading {
     this.#send();
   }
 
-  /** Ends all requests, and lets go of all bricks. */
+  /** Ends all requests. The bricks that are there stay, and no longer count. */
   close(): void {
     if (this.#isClosed) return;
     this.want(nothing);
     this.#isClosed = true;
-    const { bricks, room } = this.parts;
-    for (const brick of [...bricks.bricks]) bricks.remove(brick);
-    room.leave(this.#fit);
+    this.parts.room.leave(this.#fit);
   }
 
   #send(): void {
@@ -147,8 +148,10 @@ export class BrickLoading {
   }
 
   /** The share has become smaller, or larger. */
-  #shrink(): void {
-    const { bricks, room, changed } = this.parts;
+  #followShare(): void {
+    const { bricks, room, changed, grew } = this.parts;
+    if (room.share > this.#share) grew();
+    this.#share = room.share;
     const before = bricks.count;
     while (this.bytes > room.share && bricks.count > 0) bricks.remove(this.#leastWorth().least!);
     for (const [key, controller] of this.#flying) {

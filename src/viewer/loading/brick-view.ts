@@ -19,6 +19,7 @@ import { estimateBricks, isSameShape } from './brick-estimate.ts';
 import type { BrickEstimate, BrickPicture } from './brick-estimate.ts';
 import { BrickLoading } from './brick-loading.ts';
 import { BrickRoom } from './brick-room.ts';
+import type { KeptBricks } from './brick-room.ts';
 import { BrickSource } from './brick-source.ts';
 import { BrickTiles } from './brick-tiles.ts';
 
@@ -34,8 +35,14 @@ const pause = 3;
 /** An estimate may keep the page so long, ms. */
 const sliceMs = 6;
 
-/** The room of this page. */
-const pageRoom = new BrickRoom(usualGpuBytes());
+/** A view that had to give its context to another one has it at most so long when it comes back, so that all its bricks come, ms. */
+const turnMs = 10_000;
+
+/** What a reader does with another view ends the turn. */
+const interactions = ['pointerdown', 'keydown', 'wheel'];
+
+/** The room of this page: views that take turns leave and come within the grace, ms. */
+const pageRoom = new BrickRoom(3000);
 
 /** The view of a volume in bricks, and where its bricks come from. */
 export interface BrickViewParts {
@@ -46,10 +53,10 @@ export interface BrickViewParts {
 }
 
 /**
- * The bricks of one view, as long as they are on a GPU: they are asked for when their textures are made, and let go of with the last of these. The error of the
- * picture says which ones come next.
+ * The bricks of one view, as long as they are on a GPU: they are asked for when their textures are made, and are only kept, if there is room, after the last of
+ * these. The error of the picture says which ones come next.
  */
-export class BrickView implements ViewPart {
+export class BrickView implements ViewPart, KeptBricks {
   readonly key = 'bricks';
   readonly bricks: ResidentBricks;
   /** The pinned volume with its bricks. */
@@ -68,12 +75,17 @@ export class BrickView implements ViewPart {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
+  /** How many times a picture has been looked at while the room was full. */
+  #exchanged = { key: '', times: 0 };
   /** Probes that could not be read. */
   readonly #unreadable = new Set<string>();
   #isDrawingSoon = false;
+  /** Whether the textures went before all bricks had come. */
+  #gaveWay = false;
   #hasFailed = false;
   /** How long the last picture took that showed new bricks. */
   #drawnMs = 0;
+  #whenSettled: Promise<void> | null = null;
   #settled: (() => void) | null = null;
   #wake: () => void = () => {};
 
@@ -136,7 +148,7 @@ export class BrickView implements ViewPart {
     const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
     const layers = Math.floor(own / (width * height * slotSide * this.parts.pinned.samples.BYTES_PER_ELEMENT));
     const most = Math.min(layers, Math.floor((this.#maxSide - depth) / slotSide), this.bricks.maxSlots / slotsOfLayer);
-    return slotsOfLayer * Math.max(1, most);
+    return slotsOfLayer * Math.max(0, most);
   }
 
   // What the socket calls.
@@ -150,52 +162,113 @@ export class BrickView implements ViewPart {
     const key = JSON.stringify([view, optics, away, settings.quality.value?.maxError]);
     // A moving picture has fewer pixels, and so not quite the same shape.
     if (key === this.#picture?.key && isSameShape(projection, this.#picture.view.projection)) return;
+    if (!this.#picture && this.#gaveWay) this.#holdContext();
     this.#picture = { key, view: { view, projection }, optics, away };
     this.#begin();
+  }
+
+  cutsChanged(): void {
+    const { socket, view } = this.parts;
+    if (this.#users === 0 && view.viewer?.volume !== this.volume) void socket.leave(this);
+  }
+
+  // What the room calls.
+
+  get keptBytes(): number {
+    return this.#users > 0 ? 0 : this.bricks.count * this.#bytesOfBrick;
+  }
+
+  dropKept(): void {
+    this.bricks.fit(0);
   }
 
   // The life of the bricks.
 
   *#upload(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
-    const field = yield* uploadBricks(gl, volume, device);
     this.#maxSide = device.max3dTextureSize;
     this.#enter();
-    const { dispose } = field;
     let isThere = true;
+    const leave = (): void => {
+      if (isThere) this.#leave();
+      isThere = false;
+    };
+    let field: FieldModule | null = null;
+    try {
+      field = yield* uploadBricks(gl, volume, device);
+    } finally {
+      if (!field) leave();
+    }
+    const { dispose } = field;
     return Object.assign(field, {
       dispose: () => {
         dispose.call(field);
-        if (isThere) this.#leave();
-        isThere = false;
+        leave();
       },
     });
   }
 
   #enter(): void {
     if (this.#users++ > 0) return;
-    this.#tiles.wake();
-    this.#life = new AbortController();
+    const life = (this.#life = new AbortController()).signal;
     this.#picture = null;
+    this.#loading = this.#createLoading(life);
+    this.bricks.fit(this.#capacity);
+    this.#tiles.wake();
     this.bricks.moving = false;
     this.#begin();
-    void this.parts.socket.join(this);
-    void this.#run(this.#life.signal);
+    const { socket } = this.parts;
+    if (!socket.parts.includes(this)) void socket.join(this);
+    void this.#run(life);
   }
 
   #leave(): void {
     if (--this.#users > 0) return;
-    void this.parts.socket.leave(this);
+    const { view } = this.parts;
     this.#life!.abort();
+    this.#loading?.close();
+    this.#loading = null;
     this.#tiles.rest();
-    this.#settle();
+    pageRoom.keep(this);
+    const isShown = view.viewer?.volume === this.volume;
+    // Scripts go on waiting, and so does the reader: the view asks for its context again. It is still moving.
+    if (isShown && this.bricks.moving) view.viewer.invalidate();
+    this.#gaveWay = isShown && view.viewer.loop.dirty;
+    void this.#waitForContext();
     this.#wake();
+  }
+
+  /** Scripts wait as long as the view may get its context again. */
+  async #waitForContext(): Promise<void> {
+    const { view } = this.parts;
+    const { viewer } = view;
+    while (this.#users === 0 && this.bricks.moving && viewer && view.viewer === viewer && viewer.volume === this.volume)
+      await viewer.loop.change();
+    if (this.#users === 0) this.#settled?.();
+  }
+
+  /** A turn of this view: views without a picture had theirs before. */
+  #holdContext(): void {
+    const { host, viewer } = this.parts.view;
+    const life = this.#life!.signal;
+    const over = new AbortController();
+    const turn = new Promise<void>((resolve) => over.signal.addEventListener('abort', () => resolve()));
+    const end = (): void => over.abort();
+    setTimeout(end, turnMs);
+    life.addEventListener('abort', end);
+    void this.#whenSettled!.then(() => this.#drawn()).then(end);
+    const isOther = (event: Event): boolean => !event.composedPath().includes(host);
+    for (const type of interactions)
+      addEventListener(type, (event) => isOther(event) && end(), { capture: true, passive: true, signal: over.signal });
+    void viewer!.controller.withScene(() => turn).catch(() => {});
   }
 
   /** More is to come for the present view: scripts that want its picture wait. */
   #begin(): void {
     if (!this.bricks.moving) {
       this.bricks.moving = true;
-      this.parts.view.track(new Promise<void>((resolve) => (this.#settled = resolve)));
+      this.#settled?.();
+      this.#whenSettled = new Promise<void>((resolve) => (this.#settled = resolve));
+      this.parts.view.track(this.#whenSettled);
       this.parts.view.viewer?.invalidate();
     }
     this.#wake();
@@ -206,13 +279,7 @@ export class BrickView implements ViewPart {
     if (!this.bricks.moving) return;
     this.bricks.moving = false;
     this.parts.view.viewer?.invalidate();
-    this.#settle();
-  }
-
-  #settle(): void {
-    this.bricks.moving = false;
     this.#settled?.();
-    this.#settled = null;
   }
 
   async #run(life: AbortSignal): Promise<void> {
@@ -223,11 +290,9 @@ export class BrickView implements ViewPart {
     } catch (error) {
       if (life.aborted) return;
       errors.report('source', error);
+      this.#loading?.close();
       this.#tiles.rest();
       this.#rest();
-    } finally {
-      this.#loading?.close();
-      this.#loading = null;
     }
   }
 
@@ -247,19 +312,18 @@ export class BrickView implements ViewPart {
     }
   }
 
-  async #load(life: AbortSignal): Promise<void> {
+  #createLoading(life: AbortSignal): BrickLoading {
     const { bricks } = this;
-    const bytes = this.#bytesOfBrick;
-    pageRoom.bytes = Math.max(pageRoom.bytes, this.#maxBytes);
+    const bytesOfBrick = this.#bytesOfBrick;
     const capacity = (): number => this.#capacity;
-    const loading = (this.#loading = new BrickLoading({
+    return new BrickLoading({
       bricks,
-      bytesOfBrick: bytes,
+      bytesOfBrick,
       room: {
         get share() {
-          return capacity() * bytes;
+          return capacity() * bytesOfBrick;
         },
-        enter: (changed) => pageRoom.enter(changed),
+        enter: (changed) => pageRoom.enter(changed, this.#maxBytes),
         leave: (changed) => pageRoom.leave(changed),
       },
       read: async (brick, signal) => {
@@ -274,30 +338,41 @@ export class BrickView implements ViewPart {
         this.#begin();
         void this.#drawSoon();
       },
+      grew: () => {
+        if (bricks.count < bricks.capacity) return;
+        bricks.fit(this.#capacity);
+        this.#changes++;
+        this.#begin();
+      },
       failed: (error) => {
         this.#reportOnce(error);
         this.#wake();
       },
-    }));
-    bricks.fit(this.#capacity);
+    });
+  }
+
+  async #load(life: AbortSignal): Promise<void> {
+    const { bricks } = this;
+    const loading = this.#loading!;
+    const bytes = this.#bytesOfBrick;
     let isAsking = true;
     void this.#readTable(life).finally(() => {
       isAsking = false;
       this.#changes++;
       this.#wake();
     });
-    for (let exchanges = 0, last = ''; !life.aborted;) {
+    while (!life.aborted) {
       const picture = this.#picture;
       const changes = this.#changes;
+      let isFull = false;
       const found = picture && (await this.#estimate(picture, life));
       if (life.aborted) return;
       if (found) {
-        if (picture.key !== last) exchanges = 0;
-        last = picture.key;
-        const isFull = bricks.count >= this.#capacity;
+        if (picture.key !== this.#exchanged.key) this.#exchanged = { key: picture.key, times: 0 };
+        isFull = bricks.count >= this.#capacity;
         const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
         bricks.error = found.error;
-        const isEnough = found.error.rms <= maxError || (isFull && exchanges++ >= mostExchanges);
+        const isEnough = found.error.rms <= maxError || (isFull && this.#exchanged.times >= mostExchanges);
         const probes = found.probes.filter((brick) => !this.#unreadable.has(keyOfBrick(brick)));
         const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
         const best = isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick));
@@ -318,6 +393,7 @@ export class BrickView implements ViewPart {
           (this.#changes !== changes || (this.bricks.moving && !isAsking)) &&
           this.#picture !== null);
       while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
+      if (isFull && !life.aborted) this.#exchanged.times++;
     }
   }
 
@@ -352,16 +428,21 @@ export class BrickView implements ViewPart {
     if (this.#isDrawingSoon) return;
     this.#isDrawingSoon = true;
     const { loop } = this.parts.view.viewer!;
-    const isBusy = (): boolean => loop.drawing !== null || loop.dirty;
-    while (isBusy()) await loop.change();
+    await this.#drawn();
     await new Promise((resolve) => setTimeout(resolve, pause * this.#drawnMs));
     this.#isDrawingSoon = false;
     // The last picture comes without a pause.
-    if (this.#users === 0 || !this.bricks.moving || isBusy()) return;
+    if (this.#users === 0 || !this.bricks.moving || loop.drawing || loop.dirty) return;
     const began = performance.now();
     loop.request();
-    while (isBusy()) await loop.change();
+    await this.#drawn();
     this.#drawnMs = performance.now() - began;
+  }
+
+  /** Resolves when all is drawn that has changed. */
+  async #drawn(): Promise<void> {
+    const { loop } = this.parts.view.viewer!;
+    while (loop.drawing !== null || loop.dirty) await loop.change();
   }
 }
 
@@ -382,6 +463,9 @@ export async function follow(
 ): Promise<Volume> {
   const view = loader.parts.presenter;
   const isLabelled = pinned.isDiscrete || view.host.querySelector('volume-labels') !== null;
-  const bricked = isLabelled ? null : BrickView.create({ pinned, request, view, socket: socketOf(view.host) });
+  const socket = socketOf(view.host);
+  const bricked = isLabelled ? null : BrickView.create({ pinned, request, view, socket });
+  // Already now: a scene that is filled when a part joins is filled again.
+  if (bricked) void socket.join(bricked);
   return bricked?.volume ?? again({ ...request, finer: false });
 }

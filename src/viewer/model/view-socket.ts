@@ -154,6 +154,8 @@ export interface SocketViewer {
     /** Resolves after the next frame. */
     change(): Promise<void>;
   };
+  /** Holds its scene. `withScene` does some work with it: the scene stays until the work ends. */
+  readonly controller: { withScene<T>(work: (scene: Scene) => Promise<T>): Promise<T> };
   /** Whether there is a picture; the volume in it. */
   readonly drawn: Volume | null;
   /** Frame the subject again, if nobody has moved the camera. */

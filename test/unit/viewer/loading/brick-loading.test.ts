@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { BrickLoading } from '../../../../src/viewer/loading/brick-loading.ts';
 import type { WantedBricks } from '../../../../src/viewer/loading/brick-loading.ts';
 import { BrickRoom } from '../../../../src/viewer/loading/brick-room.ts';
+import type { SharedRoom } from '../../../../src/viewer/loading/brick-room.ts';
 import { listBricks } from '../../../../src/bricks/pyramid.ts';
 import type { Brick } from '../../../../src/bricks/pyramid.ts';
 import { keyOfBrick } from '../../../../src/bricks/resident-bricks.ts';
@@ -11,12 +12,28 @@ import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 const whole = syntheticVolume({ dimensions: [128, 96, 64] });
 const bytesOfBrick = 34 ** 3;
 
+/** Has so many bytes. */
+function createRoom(bytes: number) {
+  const room = new BrickRoom(0);
+  return {
+    room,
+    bytes,
+    get share() {
+      return room.share;
+    },
+    enter(changed: () => void) {
+      room.enter(changed, this.bytes);
+    },
+    leave: (changed: () => void) => room.leave(changed),
+  };
+}
+
 /** A store whose answers wait until the test gives them. */
-function createLoading(room: BrickRoom) {
+function createLoading(room: SharedRoom) {
   const { pyramid, volume } = cutIntoBricks(whole, 3, () => false);
   const { finer: bricks } = volume;
   const waiting = new Map<string, { answer: () => void; refuse: () => void }>();
-  const log = { asked: [] as string[], failures: 0, changes: 0, most: 0 };
+  const log = { asked: [] as string[], failures: 0, changes: 0, grew: 0, most: 0 };
   const loading = new BrickLoading({
     bricks,
     room,
@@ -42,6 +59,7 @@ function createLoading(room: BrickRoom) {
       log.changes++;
       log.most = Math.max(log.most, bricks.count * bytesOfBrick);
     },
+    grew: () => log.grew++,
     failed: () => log.failures++,
   });
   const answerAll = async (): Promise<void> => {
@@ -62,7 +80,7 @@ const inOrder = (bricks: readonly Brick[], worth: (brick: Brick) => number = () 
 
 describe('the loading of bricks', () => {
   it('reads the best ones first, eight at once, until all are there', async () => {
-    const { loading, bricks, waiting, log, answerAll, all } = createLoading(new BrickRoom(2 ** 28));
+    const { loading, bricks, waiting, log, answerAll, all } = createLoading(createRoom(2 ** 28));
     loading.want(inOrder(all));
     expect(log.asked).to.deep.equal(all.slice(0, 8).map(keyOfBrick));
     waiting.get(log.asked[2])!.answer();
@@ -72,8 +90,8 @@ describe('the loading of bricks', () => {
     expect([bricks.count, loading.isSettled, log.changes]).to.deep.equal([all.length, true, all.length]);
   });
 
-  it('gives up what a view no longer wants; when closed, nothing is on its way and no brick is kept', async () => {
-    const { loading, bricks, waiting, log, answerAll, all } = createLoading(new BrickRoom(2 ** 28));
+  it('gives up what a view no longer wants; when closed, nothing is on its way and nothing more comes', async () => {
+    const { loading, bricks, waiting, log, answerAll, all } = createLoading(createRoom(2 ** 28));
     loading.want(inOrder(all));
     loading.want(inOrder(all.slice(6, 12)));
     expect([...waiting.keys()]).to.deep.equal(all.slice(6, 12).map(keyOfBrick));
@@ -82,14 +100,14 @@ describe('the loading of bricks', () => {
     loading.want(inOrder(all));
     expect(loading.requests).to.equal(8);
     loading.close();
-    expect([waiting.size, loading.requests, bricks.count, log.failures]).to.deep.equal([0, 0, 0, 0]);
+    expect([waiting.size, loading.requests, bricks.count, log.failures]).to.deep.equal([0, 0, 6, 0]);
     loading.want(inOrder(all));
     await new Promise((resolve) => setTimeout(resolve));
-    expect([waiting.size, bricks.count]).to.deep.equal([0, 0]);
+    expect([waiting.size, bricks.count]).to.deep.equal([0, 6]);
   });
 
   it('never has more than its room, and exchanges a brick only for a better one: a view at rest comes to rest', async () => {
-    const { loading, bricks, log, answerAll, all } = createLoading(new BrickRoom(5 * bytesOfBrick));
+    const { loading, bricks, log, answerAll, all } = createLoading(createRoom(5 * bytesOfBrick));
     loading.want(inOrder(all));
     await answerAll();
     expect([bricks.count, log.most]).to.deep.equal([5, 5 * bytesOfBrick]);
@@ -107,7 +125,7 @@ describe('the loading of bricks', () => {
   });
 
   it('shares the room with others, and takes it back when they go', async () => {
-    const room = new BrickRoom(8 * bytesOfBrick);
+    const room = createRoom(8 * bytesOfBrick);
     const first = createLoading(room);
     first.loading.want(inOrder(first.all));
     await first.answerAll();
@@ -117,15 +135,21 @@ describe('the loading of bricks', () => {
     expect([first.bricks.count, second.loading.requests]).to.deep.equal([4, 4]);
     await second.answerAll();
     expect(second.bricks.count).to.equal(4);
+    expect(first.log.grew).to.equal(0);
     second.loading.close();
+    expect(first.log.grew).to.equal(1);
     await first.answerAll();
     expect(first.bricks.count).to.equal(8);
-    room.bytes = 3 * bytesOfBrick;
-    expect(first.bricks.count).to.equal(3);
+    // The largest number counts.
+    room.bytes = 10 * bytesOfBrick;
+    const third = createLoading(room);
+    expect([room.share / bytesOfBrick, first.bricks.count]).to.deep.equal([5, 5]);
+    third.loading.close();
+    expect(room.share / bytesOfBrick).to.equal(8);
   });
 
   it('does not ask again for a brick that could not be read; the others come', async () => {
-    const { loading, bricks, waiting, log, answerAll, all } = createLoading(new BrickRoom(2 ** 28));
+    const { loading, bricks, waiting, log, answerAll, all } = createLoading(createRoom(2 ** 28));
     loading.want(inOrder(all));
     waiting.get(keyOfBrick(all[3]))!.refuse();
     await answerAll();
@@ -135,7 +159,7 @@ describe('the loading of bricks', () => {
   });
 
   it('keeps to its room through a thousand views, with requests that end in any order', async () => {
-    const { loading, bricks, waiting, log, all } = createLoading(new BrickRoom(7 * bytesOfBrick));
+    const { loading, bricks, waiting, log, all } = createLoading(createRoom(7 * bytesOfBrick));
     const random = randomNumbers(5);
     for (let view = 0; view < 1000; view++) {
       const seen = all.filter(() => random() < 0.3);
@@ -146,6 +170,40 @@ describe('the loading of bricks', () => {
     }
     expect(bricks.slots).to.be.at.most(7);
     loading.close();
-    expect([waiting.size, log.failures, bricks.count]).to.deep.equal([0, 0, 0]);
+    expect([waiting.size, log.failures]).to.deep.equal([0, 0]);
+  });
+});
+
+describe('the room that views share', () => {
+  const createKept = (keptBytes: number) => ({ keptBytes, dropKept: () => {} });
+
+  it('keeps bricks of views that have no place on the GPU, as many bytes as it has; the oldest ones go first', () => {
+    const room = new BrickRoom(0);
+    room.enter(() => {}, 100);
+    const dropped: number[] = [];
+    const views = [40, 50, 30, 20].map((bytes, n) => {
+      const view = { keptBytes: bytes, dropKept: () => void (dropped.push(n), (view.keptBytes = 0)) };
+      return view;
+    });
+    for (const view of views.slice(0, 2)) room.keep(view);
+    expect(dropped).to.deep.equal([]);
+    room.keep(views[2]);
+    expect(dropped).to.deep.equal([0]);
+    // It is on the GPU again: it counts no longer, and comes last when it is kept again.
+    views[1].keptBytes = 0;
+    room.keep(views[3]);
+    views[1].keptBytes = 50;
+    room.keep(views[1]);
+    expect(dropped).to.deep.equal([0]);
+    room.keep(createKept(1));
+    expect(dropped).to.deep.equal([0, 2]);
+  });
+
+  it('drops what is larger than the room itself', () => {
+    const room = new BrickRoom(0);
+    room.enter(() => {}, 100);
+    let isDropped = false;
+    room.keep({ keptBytes: 101, dropKept: () => (isDropped = true) });
+    expect(isDropped).to.equal(true);
   });
 });
