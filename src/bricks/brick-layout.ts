@@ -13,8 +13,11 @@ export const slotSide = brickSide + 2 * brickHalo;
 
 export const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
-/** Bytes of a cell in the GPU's table of pages: two texels of four floats. Twin: shaders/chunks/field/bricks-3d.glsl */
-export const bytesOfCell = 32;
+/** Bytes of a cell in the GPU's table of pages: a texel of four floats. Twin: shaders/chunks/field/bricks-3d.glsl */
+export const bytesOfCell = 16;
+
+/** Levels of bricks at most: programs know the scales of so many, and that of the volume. Twin: shaders/chunks/field/bricks-3d.glsl */
+export const mostLevels = 15;
 
 /** A level of a pyramid over the unit cube of a volume. */
 export interface LevelFrame extends Pick<BrickLevel, 'dimensions' | 'bricks' | 'factors'> {
@@ -100,9 +103,10 @@ const maxTurn = 0.25;
  * Lay bricks over a volume, which is another level of the same pyramid.
  * @param grid - of the volume
  * @param levels - finest first
- * @returns null where that can't be done: a level lies askew over the volume
+ * @returns null where that can't be done: a level lies askew over the volume, or there are more than `mostLevels`
  */
 export function layBricks(grid: GridFrame, levels: readonly BrickLevel[]): BrickLayout | null {
+  if (levels.length > mostLevels) return null;
   const frames: LevelFrame[] = [];
   for (const { dimensions, bricks, factors, indexToWorld } of levels) {
     const back = invertAffine(indexToWorld);

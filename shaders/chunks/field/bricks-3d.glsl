@@ -2,8 +2,12 @@
 /// Twin: bricks/resident-bricks.ts
 uniform sampler3D uVolume;
 
-/// Two texels for each cell (brick of the finest level): what is shown there lies at the texel of the atlas = place * second + first.
+/// A texel for each cell (brick of the finest level): what is shown there lies at the texel of the atlas = place * scale + its x, y, z; its w is the number of the
+/// scale.
 uniform sampler3D uBrickPages;
+
+/// Voxels along the unit cube: of the levels of bricks, finest first, then of the volume over which they lie.
+uniform vec3 uLevelScales[16];
 
 /// Cell = place * the first + the second; and the last one.
 uniform vec3 uCellScale;
@@ -30,9 +34,9 @@ vec3 voxelScale;
 /// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation needs, also at the ends of a level.
 vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
-  ivec3 page = ivec3(min(place * uCellScale + uCellShift, uLastCell)) * ivec3(2, 1, 1);
-  voxelScale = texelFetch(uBrickPages, page + ivec3(1, 0, 0), 0).xyz;
-  return place * voxelScale + texelFetch(uBrickPages, page, 0).xyz;
+  vec4 page = texelFetch(uBrickPages, ivec3(min(place * uCellScale + uCellShift, uLastCell)), 0);
+  voxelScale = uLevelScales[int(page.w)];
+  return place * voxelScale + page.xyz;
 }
 
 #define IN_VOXELS(p) inAtlas(p)

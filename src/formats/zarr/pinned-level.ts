@@ -20,7 +20,7 @@ const pinnedBytes = 2 ** 25;
  */
 const [shareOfPinned, shareOfCoarsest] = [1 / 7, 1 / 2];
 
-/** Cells of the finest level that is read: the GPU has a 3D table with an entry of two texels for each of them, along x. */
+/** Cells of the finest level that is read: the GPU has a 3D table with a texel for each of them. */
 const maxCells = 2 ** 20;
 
 /** The share of the GPU's bytes that this table may take. */
@@ -69,7 +69,7 @@ export function choosePinned(
   const levels = relativeToFirst(
     inBricks
       .map(({ brick }) => brick)
-      .filter(({ bricks: [x, y, z] }) => x * y * z <= mostCells && Math.max(2 * x, y, z) <= limits.maxVoxelsPerAxis),
+      .filter(({ bricks: [x, y, z] }) => x * y * z <= mostCells && Math.max(x, y, z) <= limits.maxVoxelsPerAxis),
   );
   return box && levels.length > 0 ? { box, numbers, levels } : null;
 }

@@ -57,7 +57,7 @@ export class BrickTextures {
     const { gl } = this;
     const [cx, cy, cz] = this.bricks.layout.cells;
     gl.bindTexture(gl.TEXTURE_3D, this.#pages);
-    gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, 2 * cx, cy, cz);
+    gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, cx, cy, cz);
     if (!this.#allocate(Math.min(1, this.#layersOf(this.bricks.capacity)))) return false;
     yield* this.#writeVolume();
     return true;
@@ -82,6 +82,7 @@ export class BrickTextures {
         uFinestLow: shift.map((n, axis) => -n / scale[axis]),
         uFinestHigh: shift.map((n, axis) => (dimensions[axis] - n) / scale[axis]),
         uPerTexel: [1 / width, 1 / height, 1 / (depth + this.#layers * slotSide)],
+        uLevelScales: [...bricks.layout.levels.flatMap((level) => level.scale), ...this.volume.grid.dimensions],
         uFinestVoxels: bricks.finest.dimensions,
         uPlaneVoxels: bricks.grid.dimensions,
       },
@@ -196,25 +197,24 @@ export class BrickTextures {
       if (!changes) continue;
       for (let cell = first; cell < end; cell++)
         this.#describeCell(cell, texels.subarray(cellFloats * (cell - first), cellFloats * (cell - first + 1)));
-      gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, k, 2 * cx, cy, 1, gl.RGBA, gl.FLOAT, texels);
+      gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, k, cx, cy, 1, gl.RGBA, gl.FLOAT, texels);
     }
     this.#pagesWritten = pages.slice();
   }
 
   #describeCell(cell: number, into: Float32Array): void {
     const { bricks } = this;
+    const { levels } = bricks.layout;
     const slot = bricks.slotOf(cell);
     if (slot < 0) {
       into.fill(brickHalo, 0, 3);
-      into.set(this.volume.grid.dimensions, 4);
+      into[3] = levels.length;
       return;
     }
     const { level, at } = bricks.inSlot(slot)!;
-    const { scale, shift } = bricks.layout.levels[level];
+    const { shift } = levels[level];
     const place = placeOfSlot(this.#shape, slot);
-    for (let axis = 0; axis < 3; axis++) {
-      into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
-      into[4 + axis] = scale[axis];
-    }
+    for (let axis = 0; axis < 3; axis++) into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
+    into[3] = level;
   }
 }

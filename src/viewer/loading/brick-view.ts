@@ -241,8 +241,9 @@ export class BrickView implements ViewPart, KeptBricks {
   async #waitForContext(): Promise<void> {
     const { view } = this.parts;
     const { viewer } = view;
-    while (this.#users === 0 && this.bricks.moving && viewer && view.viewer === viewer && viewer.volume === this.volume)
-      await viewer.loop.change();
+    const mayGetIt = (): boolean =>
+      this.#users === 0 && this.bricks.moving && view.viewer === viewer && viewer?.volume === this.volume;
+    while (mayGetIt()) await viewer!.loop.change();
     if (this.#users === 0) this.#settled?.();
   }
 

@@ -1,5 +1,12 @@
 import { expect } from '@esm-bundle/chai';
-import { atlasEdge, layBricks, placeOfSlot, shapeAtlas, slotSide } from '../../../src/bricks/brick-layout.ts';
+import {
+  atlasEdge,
+  layBricks,
+  mostLevels,
+  placeOfSlot,
+  shapeAtlas,
+  slotSide,
+} from '../../../src/bricks/brick-layout.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
@@ -76,6 +83,12 @@ describe('the layout of bricks', () => {
     const turned = [0, 0.5, 0, -0.25, 0.5, 0, 0, -0.25, 0, 0, 0.5, -0.25, 0, 0, 0, 1];
     expect(layBricks(grid, [{ ...level, indexToWorld: turned }])).to.equal(null);
     expect(layBricks(grid, [])).to.equal(null);
+    const many = (levels: number): unknown =>
+      layBricks(
+        grid,
+        Array.from({ length: levels }, () => level),
+      );
+    expect([many(mostLevels) === null, many(mostLevels + 1)]).to.deep.equal([false, null]);
   });
 
   it('has room for the volume with its halo, and for slots that do not overlap', () => {
