@@ -99,7 +99,8 @@ export async function openZarrBricks(
         either.throwIfAborted();
         return readBrick(source, levels[brick.level], { brick, at, space: axes.space, numbers, signal: either });
       };
-      return untilClosed(own, (either) => queue.run(() => read(either)));
+      // What is given up makes room for others at once: a page that has gone never answers.
+      return untilClosed(own, (either) => queue.run(() => untilAborted(read(either), either)));
     },
     residuals: (own) =>
       untilClosed(own, (either) => readResiduals(limited, { image, levels, numbers, deviceBytes, signal: either })),

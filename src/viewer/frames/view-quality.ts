@@ -73,7 +73,7 @@ export class ViewQuality {
     return this.#withLoss(
       isFree
         ? await (
-            await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')
+            await loadPart(import('./free-quality.ts'), 'leaves out rays')
           ).chooseFree(this, measuringTools)
         : await this.chooseUsual(),
     );

@@ -18,8 +18,6 @@ interface Coming {
 export class SharedVolumes {
   readonly #shown = new Map<object, { readonly key: string; readonly volume: Volume }>();
   readonly #coming = new Map<string, Coming>();
-  /** Sources with several scans: each element may show another scan, so they are not shared. */
-  readonly #unshared = new Set<string>();
   /** The last request of each element: an element that repeats it wants the volume loaded again. */
   readonly #given = new WeakMap<object, string>();
 
@@ -36,15 +34,13 @@ export class SharedVolumes {
   async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
     // What a page fetches by a function of its own is not shared: who may see it depends on the function.
     const key = JSON.stringify(request) + (options.fetch ? ++this.#apart : '');
-    const isShared = this.#given.get(element) !== key && !this.#unshared.has(key);
-    for (;;) {
-      const coming = isShared ? this.#coming.get(key) : undefined;
-      const volume = isShared ? (this.#find(key) ?? (coming && (await join(coming, options)))) : null;
+    while (this.#given.get(element) !== key) {
+      const coming = this.#coming.get(key);
+      const volume = this.#find(key) ?? (coming && (await join(coming, options)));
       if (volume) return this.#hold(element, key, volume);
       if (!coming) break;
     }
-    const volume = await this.#loadNew(key, request, options);
-    return this.#unshared.has(key) ? volume : this.#hold(element, key, volume);
+    return this.#loadNew(element, key, request, options);
   }
 
   /** An element no longer shows anything. */
@@ -63,22 +59,25 @@ export class SharedVolumes {
     return volume;
   }
 
-  async #loadNew(key: string, request: LoadRequest, options: LoadOptions): Promise<Volume> {
+  async #loadNew(element: object, key: string, request: LoadRequest, options: LoadOptions): Promise<Volume> {
     const onProgress = new Set([options.onProgress]);
     const onCoarse = new Set(options.onCoarse ? [options.onCoarse] : []);
+    let isApart = false;
     const loading = this.load(request, {
       ...options,
       onProgress: (progress) => onProgress.forEach((notify) => notify(progress)),
       onCoarse: (coarse) => onCoarse.forEach((notify) => notify(coarse)),
       onScans: (times, data) => {
-        this.#unshared.add(key);
+        // Each element may show another scan.
+        isApart = true;
+        this.#coming.delete(key);
         options.onScans?.(times, data);
       },
     });
     const volume = loading.then(
-      (loaded) => (this.#unshared.has(key) ? null : loaded),
+      (loaded) => (isApart ? null : loaded),
       (error: unknown) => {
-        if (options.signal.aborted || this.#unshared.has(key)) return null;
+        if (options.signal.aborted || isApart) return null;
         throw error;
       },
     );
@@ -86,7 +85,8 @@ export class SharedVolumes {
     const coming: Coming = { volume, onProgress, onCoarse };
     this.#coming.set(key, coming);
     try {
-      return await loading;
+      const loaded = await loading;
+      return isApart ? loaded : this.#hold(element, key, loaded);
     } finally {
       if (this.#coming.get(key) === coming) this.#coming.delete(key);
     }

@@ -336,6 +336,41 @@ describe('a pyramid in bricks on a page', () => {
     expect(textures.bytes).to.equal(0);
   });
 
+  for (const isMidway of [true, false])
+    it(`has its picture again after a lost context, ${isMidway ? 'while bricks come' : 'at rest'}`, async function () {
+      this.timeout(90_000);
+      const { fetch, log } = serve({ dimensions: [128, 128, 128], levels: 3 }, 10);
+      const attributes = { ...look, 'camera-orbit': '30deg 65deg 300', 'max-gpu-bytes': '1900000', 'max-error': '0.1' };
+      const shown: Float64Array[] = [];
+      let stated = 0;
+      for (const isLost of [false, true]) {
+        const view = addView(fetch, attributes);
+        const lose = (): void => {
+          const canvas = view.shadowRoot!.querySelector('canvas')!;
+          canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!.loseContext();
+        };
+        if (isLost && isMidway) {
+          while ((view.renderStats?.bricks?.count ?? 0) < 3) await new Promise((resolve) => setTimeout(resolve, 5));
+          lose();
+        }
+        await view.whenRendered();
+        if (isLost && !isMidway) {
+          const { asked } = log;
+          lose();
+          await new Promise((resolve) => view.addEventListener('render', resolve, { once: true }));
+          expect(view.renderStats!.bricks!.count, 'they are in memory').to.be.above(3);
+          await view.whenRendered();
+          console.log(`${log.asked - asked} files asked for again`);
+        }
+        expect(view.renderStats!.converged).to.equal(true);
+        shown.push(await pixelsOf(view));
+        stated += view.renderStats!.error!.rms;
+        view.remove();
+      }
+      // Which bricks there are, where not all have room, depends on the order in which they came.
+      expect(compareCovered(shown[1], shown[0], 1).rms).to.be.below(stated);
+    });
+
   it('asks for at most 8 files at once, keeps what the page allows, and asks for nothing once it has left', async function () {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [512, 512, 512], levels: 5 }, 20);

@@ -165,6 +165,7 @@ describe('volumes that several elements show', () => {
     loads[0].end(some());
     await first;
     await turn();
+    loads[1].options.onScans?.([]);
     loads[1].end(some());
     expect(await second).not.to.equal(await first);
     void shared.get({ name: 'third' }, request, quietly());
