@@ -72,9 +72,7 @@ export class ViewQuality {
     const { isFree } = this.asked;
     return this.#withLoss(
       isFree
-        ? await (
-            await loadPart(import('./free-quality.ts'), 'leaves out rays')
-          ).chooseFree(this, measuringTools)
+        ? await (await loadPart(import('./free-quality.ts'), 'leaves out rays')).chooseFree(this, measuringTools)
         : await this.chooseUsual(),
     );
   }

@@ -1,6 +1,6 @@
 // The atlas of bricks grows and shrinks with its bricks, and stays as large as it is where the GPU has no memory for more.
 import { expect } from '@esm-bundle/chai';
-import { shapeAtlas } from '../../../../src/bricks/brick-layout.ts';
+import { bytesOfCell, shapeAtlas } from '../../../../src/bricks/brick-layout.ts';
 import { uploadBricks } from '../../../../src/renderer/ray/modules/bricks.ts';
 import { finishUpload } from '../../../../src/renderer/textures/fill-texture.ts';
 import { describe as describeDevice } from '../../../../src/renderer/probes/probe-device.ts';
@@ -21,7 +21,7 @@ function makeAtlas() {
   const field = finishUpload(uploadBricks(gl, volume, describeDevice(gl)));
   const atlasBytes = (): number => {
     field.inputs();
-    return field.bytes - width * height * depth - 32 * 6 * 6 * 5;
+    return field.bytes - width * height * depth - bytesOfCell * 6 * 6 * 5;
   };
   const all = listBricks(pyramid, 0);
   return { gl, finer, field, all, atlasBytes, add: (n: number) => finer.add(all[n], readBrick(pyramid, all[n])) };
