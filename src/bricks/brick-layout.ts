@@ -87,6 +87,20 @@ export function atlasEdge(dimensions: Vector3): number {
   return Math.max(width, height, depth + slotSide);
 }
 
+/** Bytes of the GPU's table of pages. */
+export const pageBytes = ([cx, cy, cz]: Vector3): number => bytesOfCell * cx * cy * cz;
+
+/**
+ * Slots that so many bytes of the GPU have room for, next to the volume and the table of pages: whole layers of the atlas.
+ * @param bytesPerSample - of a texel
+ */
+export function slotsWithin(bytes: number, shape: AtlasShape, cells: Vector3, bytesPerSample: number): number {
+  const { width, height, depth, slotsOfLayer } = shape;
+  const slice = width * height * bytesPerSample;
+  const layers = Math.floor((bytes - slice * depth - pageBytes(cells)) / (slice * slotSide));
+  return slotsOfLayer * Math.max(0, layers);
+}
+
 /** The first texel of a slot. */
 export function placeOfSlot({ columns, rows, depth, slotsOfLayer }: AtlasShape, slot: number): Vector3 {
   return [

@@ -4,8 +4,12 @@
  * drawing buffers are counted as colour, depth and stencil.
  */
 export function countGpuBytes() {
-  /** @type {Map<object, { gl: any, bytes: number }>} */
+  /** @type {Map<object, { gl: any, bytes: number, is3d?: boolean }>} */
   const objects = new Map();
+  /** Of all 3D textures at once, since `gpuBytes` was last called. */
+  let most3d = 0;
+  const sum3d = () =>
+    [...objects.values()].reduce((sum, { gl, bytes, is3d }) => sum + (is3d && !gl.isContextLost() ? bytes : 0), 0);
   /** @type {Set<WebGLRenderingContext | WebGL2RenderingContext>} */
   const contexts = new Set();
   /** @type {Record<number, number>} */
@@ -54,7 +58,10 @@ export function countGpuBytes() {
   function note(gl, target, bytes) {
     contexts.add(gl);
     const bound = gl.getParameter(/** @type {any} */ (bindings)[target] ?? 0x8069);
-    if (bound) objects.set(bound, { gl, bytes });
+    if (!bound) return;
+    const is3d = target === gl.TEXTURE_3D;
+    objects.set(bound, { gl, bytes, is3d });
+    if (is3d) most3d = Math.max(most3d, sum3d());
   }
 
   /** @param {any} prototype @param {string} name @param {(gl: any, args: any[]) => void} before */
@@ -78,6 +85,14 @@ export function countGpuBytes() {
       buffers += gl.drawingBufferWidth * gl.drawingBufferHeight * (8 * samples + 4);
       living++;
     }
-    return { samples: Math.max(0, ...held), textures, all: textures + buffers, contexts: living };
+    const most = most3d;
+    most3d = sum3d();
+    return {
+      samples: Math.max(0, ...held),
+      textures,
+      in3d: { now: most3d, most },
+      all: textures + buffers,
+      contexts: living,
+    };
   };
 }

@@ -32,6 +32,7 @@ const programs = [
   'bricks',
   'bricked',
   'soak',
+  'many-bricked',
   'video',
   'video-looks',
   'video-loops',

@@ -1,5 +1,5 @@
 import { brickSide } from '../../bricks/brick-data.ts';
-import { brickHalo, bytesOfCell, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
+import { brickHalo, bytesOfCell, pageBytes, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { allocateLike } from '../../volume/samples.ts';
@@ -14,9 +14,6 @@ const growth = 4;
 
 /** Floats of a cell in the page table. */
 const cellFloats = bytesOfCell / 4;
-
-/** Bytes of the page table. */
-export const pageBytes = ([cx, cy, cz]: readonly [number, number, number]): number => bytesOfCell * cx * cy * cz;
 
 /** How samples become texels. */
 export interface BrickPacking {

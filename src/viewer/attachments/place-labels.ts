@@ -8,10 +8,8 @@ import { reduceLabels } from '../../volume/reduce-labels.ts';
 import { resampleLabels } from '../../volume/resample-labels.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
+import { inPieces } from '../../core/in-pieces.ts';
 import type { LabelFile, LabelPart } from '../loading/label-files.ts';
-
-/** Time of work before the page gets a turn, ms. */
-const turn = 12;
 
 /**
  * The labels of a file on a volume's grid.
@@ -43,7 +41,9 @@ export async function placeLabels(
   // On the grid of a volume that was made smaller, each box gets its most frequent label; from any other grid, the label at its
   // centre.
   const goal = isSameGrid(voxels.grid, whole) ? whole : grid;
-  const { map, within } = await inTurns(resampleLabels(voxels, file.found, goal), signal);
+  const resampled = await inPieces(resampleLabels(voxels, file.found, goal), () => !signal.aborted);
+  signal.throwIfAborted();
+  const { map, within } = resampled!;
   if (within > 0) return goal === grid || !volume.reduced ? map : reduceLabels(map, grid.dimensions);
   throw new VolumeViewError(
     'format/unsupported',
@@ -96,16 +96,4 @@ export function labelPartOf(volume: Volume): LabelPart | undefined {
   const all = corners(grid);
   const ends = [Math.min, Math.max].flatMap((end) => [0, 1, 2].map((axis) => end(...all.map((one) => one[axis]))));
   return isPlaced({ ...volume, grid }) ? { region: ends, labelDetail: Math.min(...grid.spacing) } : undefined;
-}
-
-/** Do long work in parts, with time for the page in between. @throws the signal's reason */
-async function inTurns<T>(work: Generator<void, T>, signal: AbortSignal): Promise<T> {
-  for (let end = performance.now() + turn; ;) {
-    const step = work.next();
-    if (step.done) return step.value;
-    if (performance.now() < end) continue;
-    await new Promise((resolve) => setTimeout(resolve));
-    signal.throwIfAborted();
-    end = performance.now() + turn;
-  }
 }

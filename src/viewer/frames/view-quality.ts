@@ -72,7 +72,9 @@ export class ViewQuality {
     const { isFree } = this.asked;
     return this.#withLoss(
       isFree
-        ? await (await loadPart(import('./free-quality.ts'), 'leaves out rays')).chooseFree(this, measuringTools)
+        ? await (
+            await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')
+          ).chooseFree(this, measuringTools)
         : await this.chooseUsual(),
     );
   }

@@ -1,5 +1,5 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
-import { layBricks, shapeAtlas, slotSide } from '../../bricks/brick-layout.ts';
+import { layBricks, shapeAtlas, slotSide, slotsWithin } from '../../bricks/brick-layout.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
 import { keyOfBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
@@ -8,16 +8,16 @@ import type { LoadRequest } from '../../formats/base/load-request.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { uploadBricks } from '../../renderer/ray/modules/bricks.ts';
 import type { FieldModule } from '../../renderer/ray/ray-module.ts';
-import { pageBytes } from '../../renderer/textures/brick-textures.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
-import type { FinerLevel } from '../../volume/finer-voxels.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
+import { inPieces } from '../../core/in-pieces.ts';
 import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 import { estimateBricks, isSameShape } from './brick-estimate.ts';
-import type { BrickEstimate, BrickPicture } from './brick-estimate.ts';
+import type { BrickPicture } from './brick-estimate.ts';
 import { BrickLoading } from './brick-loading.ts';
+import { BrickPictures, takeTurn } from './brick-pictures.ts';
 import { BrickRoom } from './brick-room.ts';
 import type { KeptBricks } from './brick-room.ts';
 import { BrickSource } from './brick-source.ts';
@@ -26,20 +26,8 @@ import { BrickTiles } from './brick-tiles.ts';
 /** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
 const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
 
-/** Where the room is full, the view is looked at so many times more: bricks that bring more take the place of others. */
-const mostExchanges = 3;
-
-/** Pictures with bricks that have just come pause for so many times as long as one of them takes. */
-const pause = 3;
-
-/** An estimate may keep the page so long, ms. */
-const sliceMs = 6;
-
-/** A view that had to give its context to another one has it at most so long when it comes back, so that all its bricks come, ms. */
-const turnMs = 10_000;
-
-/** What a reader does with another view ends the turn. */
-const interactions = ['pointerdown', 'keydown', 'wheel'];
+/** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
+const [mostExchanges, leastGain] = [3, 0.03];
 
 /** The room of this page: views that take turns leave and come within the grace, ms. */
 const pageRoom = new BrickRoom(3000);
@@ -62,7 +50,6 @@ export class BrickView implements ViewPart, KeptBricks {
   /** The pinned volume with its bricks. */
   readonly volume: Volume;
   readonly #detail: ResidentDetail;
-  readonly #levels: readonly FinerLevel[];
   readonly #maxBytes: number;
   readonly #source: BrickSource;
   readonly #tiles: BrickTiles;
@@ -75,16 +62,14 @@ export class BrickView implements ViewPart, KeptBricks {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
-  /** How many times a picture has been looked at while the room was full. */
-  #exchanged = { key: '', times: 0 };
+  /** How often bricks of a picture took the place of others for little, and the smallest error that there was. */
+  #exchanged = { key: '', times: 0, error: Infinity };
   /** Probes that could not be read. */
   readonly #unreadable = new Set<string>();
-  #isDrawingSoon = false;
+  readonly #pictures = new BrickPictures();
   /** Whether the textures went before all bricks had come. */
   #gaveWay = false;
   #hasFailed = false;
-  /** How long the last picture took that showed new bricks. */
-  #drawnMs = 0;
   #whenSettled: Promise<void> | null = null;
   #settled: (() => void) | null = null;
   #wake: () => void = () => {};
@@ -100,7 +85,7 @@ export class BrickView implements ViewPart, KeptBricks {
     layout: NonNullable<ReturnType<typeof layBricks>>,
   ) {
     const { pinned, request } = parts;
-    this.#levels = pinned.levels!;
+    const levels = pinned.levels!;
     this.#maxBytes = request.settings?.maxGpuBytes ?? usualGpuBytes();
     this.bricks = new ResidentBricks(pinned, layout, (gl: Gl, volume: VolumeData, device: Device) =>
       this.#upload(gl, volume, device),
@@ -111,12 +96,12 @@ export class BrickView implements ViewPart, KeptBricks {
     this.#source = new BrickSource({
       request,
       pinned: pinned.grid,
-      levels: this.#levels,
+      levels,
       fetch: parts.view.host.fetch,
     });
     this.#tiles = new BrickTiles({
       volume: pinned,
-      levels: this.#levels,
+      levels,
       bricks: this.bricks,
       read: (brick, signal) => this.#source.read(brick, signal),
       failed: (error) => this.#reportOnce(error),
@@ -136,19 +121,12 @@ export class BrickView implements ViewPart, KeptBricks {
     return slotSide ** 3 * this.parts.pinned.samples.BYTES_PER_ELEMENT;
   }
 
-  /** Of the pinned volume and of the table. */
-  get #fixedBytes(): number {
-    const { width, height, depth } = this.bricks.atlas;
-    return width * height * depth * this.parts.pinned.samples.BYTES_PER_ELEMENT + pageBytes(this.bricks.layout.cells);
-  }
-
-  /** Slots that the share of this view has room for: whole layers of the atlas. */
+  /** Slots that the share of this view, and its device, have room for. */
   get #capacity(): number {
-    const { slotsOfLayer, width, height, depth } = this.bricks.atlas;
-    const own = Math.min(this.#maxBytes, pageRoom.share) - this.#fixedBytes;
-    const layers = Math.floor(own / (width * height * slotSide * this.parts.pinned.samples.BYTES_PER_ELEMENT));
-    const most = Math.min(layers, Math.floor((this.#maxSide - depth) / slotSide), this.bricks.maxSlots / slotsOfLayer);
-    return slotsOfLayer * Math.max(0, most);
+    const { atlas, layout, maxSlots } = this.bricks;
+    const bytes = Math.min(this.#maxBytes, pageRoom.share);
+    const within = slotsWithin(bytes, atlas, layout.cells, this.parts.pinned.samples.BYTES_PER_ELEMENT);
+    return Math.min(within, atlas.slotsOfLayer * Math.floor((this.#maxSide - atlas.depth) / slotSide), maxSlots);
   }
 
   // What the socket calls.
@@ -162,7 +140,8 @@ export class BrickView implements ViewPart, KeptBricks {
     const key = JSON.stringify([view, optics, away, settings.quality.value?.maxError]);
     // A moving picture has fewer pixels, and so not quite the same shape.
     if (key === this.#picture?.key && isSameShape(projection, this.#picture.view.projection)) return;
-    if (!this.#picture && this.#gaveWay) this.#holdContext();
+    // Views without a picture had theirs before.
+    if (!this.#picture && this.#gaveWay) takeTurn(this.parts.view, this.#life!.signal, this.#whenSettled!);
     this.#picture = { key, view: { view, projection }, optics, away };
     this.#begin();
   }
@@ -211,6 +190,7 @@ export class BrickView implements ViewPart, KeptBricks {
     if (this.#users++ > 0) return;
     const life = (this.#life = new AbortController()).signal;
     this.#picture = null;
+    this.#pictures.restart();
     this.#loading = this.#createLoading(life);
     this.bricks.fit(this.#capacity);
     this.#tiles.wake();
@@ -245,22 +225,6 @@ export class BrickView implements ViewPart, KeptBricks {
       this.#users === 0 && this.bricks.moving && view.viewer === viewer && viewer?.volume === this.volume;
     while (mayGetIt()) await viewer!.loop.change();
     if (this.#users === 0) this.#settled?.();
-  }
-
-  /** A turn of this view: views without a picture had theirs before. */
-  #holdContext(): void {
-    const { host, viewer } = this.parts.view;
-    const life = this.#life!.signal;
-    const over = new AbortController();
-    const turn = new Promise<void>((resolve) => over.signal.addEventListener('abort', () => resolve()));
-    const end = (): void => over.abort();
-    setTimeout(end, turnMs);
-    life.addEventListener('abort', end);
-    void this.#whenSettled!.then(() => this.#drawn()).then(end);
-    const isOther = (event: Event): boolean => !event.composedPath().includes(host);
-    for (const type of interactions)
-      addEventListener(type, (event) => isOther(event) && end(), { capture: true, passive: true, signal: over.signal });
-    void viewer!.controller.withScene(() => turn).catch(() => {});
   }
 
   /** More is to come for the present view: scripts that want its picture wait. */
@@ -337,9 +301,11 @@ export class BrickView implements ViewPart, KeptBricks {
         bricks.fit(this.#capacity);
         this.#changes++;
         this.#begin();
-        void this.#drawSoon();
+        const { viewer } = this.parts.view;
+        if (viewer) void this.#pictures.drawSoon(viewer, () => this.#users > 0 && bricks.moving);
       },
       grew: () => {
+        this.#exchanged.times = 0;
         if (bricks.count < bricks.capacity) return;
         bricks.fit(this.#capacity);
         this.#changes++;
@@ -365,12 +331,16 @@ export class BrickView implements ViewPart, KeptBricks {
     while (!life.aborted) {
       const picture = this.#picture;
       const changes = this.#changes;
-      let isFull = false;
-      const found = picture && (await this.#estimate(picture, life));
+      let isExchange = false;
+      const work = picture && estimateBricks(this.volume, bricks, this.#detail, picture);
+      const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
       if (found) {
-        if (picture.key !== this.#exchanged.key) this.#exchanged = { key: picture.key, times: 0 };
-        isFull = bricks.count >= this.#capacity;
+        if (picture.key !== this.#exchanged.key) this.#exchanged = { key: picture.key, times: 0, error: Infinity };
+        const isFull = bricks.count >= this.#capacity;
+        const isBetter = found.error.rms < (1 - leastGain) * this.#exchanged.error;
+        if (isBetter) this.#exchanged.error = found.error.rms;
+        isExchange = isFull && !isBetter;
         const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
         bricks.error = found.error;
         const isEnough = found.error.rms <= maxError || (isFull && this.#exchanged.times >= mostExchanges);
@@ -394,7 +364,7 @@ export class BrickView implements ViewPart, KeptBricks {
           (this.#changes !== changes || (this.bricks.moving && !isAsking)) &&
           this.#picture !== null);
       while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
-      if (isFull && !life.aborted) this.#exchanged.times++;
+      if (isExchange && !life.aborted) this.#exchanged.times++;
     }
   }
 
@@ -408,42 +378,6 @@ export class BrickView implements ViewPart, KeptBricks {
       this.#unreadable.add(keyOfBrick(brick));
       this.#reportOnce(error);
     }
-  }
-
-  /** With time for the page in between. */
-  async #estimate(picture: BrickPicture, life: AbortSignal): Promise<BrickEstimate | null> {
-    const work = estimateBricks(this.volume, this.bricks, this.#detail, picture);
-    while (!life.aborted) {
-      const end = performance.now() + sliceMs;
-      while (performance.now() < end) {
-        const { done, value } = work.next();
-        if (done) return value;
-      }
-      await new Promise((resolve) => setTimeout(resolve));
-    }
-    return null;
-  }
-
-  /** A picture with the bricks that have come, once the one in progress is there. */
-  async #drawSoon(): Promise<void> {
-    if (this.#isDrawingSoon) return;
-    this.#isDrawingSoon = true;
-    const { loop } = this.parts.view.viewer!;
-    await this.#drawn();
-    await new Promise((resolve) => setTimeout(resolve, pause * this.#drawnMs));
-    this.#isDrawingSoon = false;
-    // The last picture comes without a pause.
-    if (this.#users === 0 || !this.bricks.moving || loop.drawing || loop.dirty) return;
-    const began = performance.now();
-    loop.request();
-    await this.#drawn();
-    this.#drawnMs = performance.now() - began;
-  }
-
-  /** Resolves when all is drawn that has changed. */
-  async #drawn(): Promise<void> {
-    const { loop } = this.parts.view.viewer!;
-    while (loop.drawing !== null || loop.dirty) await loop.change();
   }
 }
 

@@ -5,7 +5,7 @@ import { finestSpacing, longestDiagonal, unitToWorld } from '../../volume/grid.t
 import { loadPart } from '../../core/load-part.ts';
 import { rayToPlace, thickness, transmittanceTo } from '../../optics/transmittance.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
-import { inPieces } from '../frames/in-pieces.ts';
+import { inPieces } from '../../core/in-pieces.ts';
 import { socketOf } from '../model/view-socket.ts';
 import { raysOfView } from '../picking/view-rays.ts';
 import type { Viewer } from '../view/viewer.ts';

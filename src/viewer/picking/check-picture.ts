@@ -12,7 +12,7 @@ import type { PictureCheck, RayDifference } from '../../quality/compare-rays.ts'
 import { stepLengthOf } from '../../quality/steps.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { inPieces } from '../frames/in-pieces.ts';
+import { inPieces } from '../../core/in-pieces.ts';
 import type { Scene } from '../model/scene.ts';
 import { raysOfView } from './view-rays.ts';
 import type { Viewer } from '../view/viewer.ts';

@@ -1,6 +1,6 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { inPieces } from '../frames/in-pieces.ts';
+import { inPieces } from '../../core/in-pieces.ts';
 import { measure, pointCounts, readMeasurePoints, readMeasureType, sumUp } from './measuring.ts';
 import type { MeasureResult, MeasureType } from './measuring.ts';
 

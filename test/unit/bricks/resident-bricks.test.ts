@@ -6,6 +6,7 @@ import {
   placeOfSlot,
   shapeAtlas,
   slotSide,
+  slotsWithin,
 } from '../../../src/bricks/brick-layout.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
@@ -112,6 +113,15 @@ describe('the layout of bricks', () => {
           true,
         ]);
     }
+  });
+
+  it('has whole layers of slots within the bytes that it may take, and none where the volume and the table need them', () => {
+    const shape = shapeAtlas([96, 96, 80], 7000);
+    const { width, height, depth, slotsOfLayer } = shape;
+    const cells = [6, 6, 5] as const;
+    const bytesFor = (layers: number): number => 2 * width * height * (depth + 34 * layers) + 16 * 180;
+    const found = [bytesFor(0) - 1, bytesFor(0), bytesFor(1) - 1, bytesFor(1), bytesFor(3) + 1, 0];
+    expect(found.map((bytes) => slotsWithin(bytes, shape, cells, 2) / slotsOfLayer)).to.deep.equal([0, 0, 0, 1, 3, 0]);
   });
 
   it('is no wider than the volume where few slots are needed, and holds as many as are asked for', () => {

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { beamToLocal, localToBeam } from '../../../src/radar/polar-geometry.ts';
 import { edgesOfGate, sumUpGates } from '../../../src/radar/gates-inside.ts';
-import { inPieces } from '../../../src/viewer/frames/in-pieces.ts';
+import { inPieces } from '../../../src/core/in-pieces.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../../src/volume/grid.ts';
 import { add, scale } from '../../../src/volume/matrix.ts';
