@@ -149,9 +149,20 @@ export function cellOfPlace({ cells, levels: [{ scale, shift }] }: BrickLayout, 
   ) as unknown as Vector3;
 }
 
+/** A cell's number along each axis. @param cell - i fastest */
+export function placeOfCell({ cells: [cx, cy] }: BrickLayout, cell: number): Vector3 {
+  return [cell % cx, Math.floor(cell / cx) % cy, Math.floor(cell / (cx * cy))];
+}
+
 /** The brick of a level that has a cell. @param cell - its number along each axis */
 export function brickOfCell({ factors, bricks }: LevelFrame, cell: Vector3): Vector3 {
   return cell.map((n, axis) => Math.min(bricks[axis] - 1, Math.floor(n / factors[axis]))) as unknown as Vector3;
+}
+
+/** The number of a brick in its level, i fastest. */
+export function numberOfBrick({ levels }: BrickLayout, level: number, [i, j, k]: Vector3): number {
+  const [nx, ny] = levels[level].bricks;
+  return i + nx * (j + ny * k);
 }
 
 /** The cells that a brick has along each axis: from the first one up to, not including, the last. */

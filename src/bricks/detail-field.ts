@@ -7,4 +7,6 @@ export interface DetailField {
   cellAt(x: number, y: number, z: number): number;
   /** The level of a cell. */
   levelOf(cell: number): number;
+  /** The level that a cell would have without its present brick; the next coarser one if undefined. */
+  levelWithout?(cell: number): number;
 }

@@ -32,7 +32,7 @@ export interface DetailScene {
 export interface DetailListener {
   /** How much less the energy is if the cell has this level instead of its present one. */
   gain(cell: number, level: number, energy: number): void;
-  /** How much more the energy would be if the cell had the next coarser level; undefined if nobody asks. */
+  /** How much more the energy would be if the cell's brick were not there; undefined if nobody asks. */
   loss?(cell: number, energy: number): void;
 }
 
@@ -72,7 +72,7 @@ export function* seekDetail(
   listener: DetailListener,
 ): Waiting<{ readonly rms: number; readonly p99: number }> {
   const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
-  const tracer = traceRays(scene, listener.loss ? 1 : 0);
+  const tracer = traceRays(scene, listener.loss !== undefined);
   const energies: number[] = [];
   for (let row = 0; row < across; row++) {
     for (let column = 0; column < across; column++) {
@@ -97,6 +97,8 @@ export function* seekDetail(
 interface RayDetail {
   readonly cells: readonly number[];
   readonly present: readonly number[];
+  /** The level of each cell without its brick. */
+  readonly without: readonly number[];
   /** Cell by cell and level by level: four biases, then the sum of the variances of all channels. */
   readonly found: Float64Array;
 }
@@ -107,7 +109,7 @@ const perLevel = 5;
  * Biases of a ray's cells add up, variances do too. What a cell brings is the part of the ray's whole energy that goes with it.
  * @returns the energy of the ray
  */
-function addGains({ cells, present, found }: RayDetail, levels: number, listener: DetailListener): number {
+function addGains({ cells, present, without, found }: RayDetail, levels: number, listener: DetailListener): number {
   const total = new Float64Array(perLevel);
   cells.forEach((_, n) => {
     const at = (n * levels + present[n]) * perLevel;
@@ -124,8 +126,8 @@ function addGains({ cells, present, found }: RayDetail, levels: number, listener
       }
       listener.gain(cell, level, Math.max(0, found[now + 4] - found[then + 4] + Math.max(shared, own)));
     }
-    if (!listener.loss || present[n] + 1 >= levels) return;
-    const next = now + perLevel;
+    if (!listener.loss || without[n] === present[n]) return;
+    const next = (n * levels + without[n]) * perLevel;
     let more = found[next + 4] - found[now + 4];
     for (let c = 0; c < 4; c++) more += found[next + c] ** 2 - found[now + c] ** 2;
     listener.loss(cell, Math.max(0, more));
@@ -150,10 +152,12 @@ const maxSteps = 8192;
  * Walks a ray twice: forward for what would reach the eye from each step if the hidden values were there, backward for what the resident
  * levels show behind it. With both, the differences of all steps add up to the difference of the two rays, however large it is:
  * C' - C = sum of T'_n (S'_n - S_n - (a'_n - a_n) B_n).
- * @param coarser - so many levels beyond the present one of a cell are looked at too
+ * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
-function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, coarser: number): Tracer {
+function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, isLossAsked: boolean): Tracer {
   const { levels } = field;
+  const levelWithout = (cell: number, level: number): number =>
+    isLossAsked ? (field.levelWithout?.(cell) ?? Math.min(levels - 1, level + 1)) : level;
   const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
   const [shown, spreads] = [new Float64Array(4 * maxSteps), new Float64Array(sumCount * maxSteps)];
   const [cellOf, blockOf, levelAt] = [new Int32Array(maxSteps), new Int32Array(maxSteps), new Uint8Array(maxSteps)];
@@ -201,24 +205,26 @@ function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, coa
     if (!isSeen) return null;
     const cells: number[] = [];
     const present: number[] = [];
+    const without: number[] = [];
     const found: number[] = [];
     const back = [0, 0, 0, 0];
     for (let n = used - 1; n >= 0; n--) {
       const cell = cellOf[n];
       const level = levelAt[n];
       const own = 4 * n;
-      const last = level === cut ? 0 : Math.min(levels - 1, level + coarser);
-      if (last > 0) {
+      if (level !== cut && (level > 0 || isLossAsked)) {
         let slot = cells.length - 1;
         if (cells[slot] !== cell) {
           slot = cells.indexOf(cell);
           if (slot < 0) {
             slot = cells.push(cell) - 1;
             present.push(level);
+            without.push(levelWithout(cell, level));
             for (let i = 0; i < levels * perLevel; i++) found.push(0);
           }
         }
-        for (let at = 1; at <= last; at++) {
+        for (let at = 1; at <= without[slot]; at++) {
+          if (at > level && at < without[slot]) continue;
           if (at === level) spread.set(spreads.subarray(sumCount * n, sumCount * (n + 1)));
           else if (!seeHidden(n, at, spread)) continue;
           const start = (slot * levels + at) * perLevel;
@@ -237,7 +243,7 @@ function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, coa
       }
       for (let c = 0; c < 4; c++) back[c] = shown[own + c] + (1 - shown[own + 3]) * back[c];
     }
-    return { cells, present, found: Float64Array.from(found) };
+    return { cells, present, without, found: Float64Array.from(found) };
   };
 }
 

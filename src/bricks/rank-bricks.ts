@@ -1,6 +1,6 @@
 import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
-import { brickOfCell, cellOfPlace } from './brick-layout.ts';
+import { brickOfCell, cellOfPlace, numberOfBrick, placeOfCell } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { RankedBrick } from './choose-bricks.ts';
 import type { DetailListener } from './estimate-detail.ts';
@@ -21,7 +21,7 @@ export class BrickGains implements DetailListener {
 
   gain(cell: number, level: number, energy: number): void {
     if (!(energy > 0)) return;
-    const number = numberOf(this.bricks.layout, { level, at: this.#brickOf(cell, level) });
+    const number = numberOfBrick(this.bricks.layout, level, this.#brickOf(cell, level));
     const gains = this.#gains[level];
     gains.set(number, (gains.get(number) ?? 0) + energy);
   }
@@ -53,7 +53,7 @@ export class BrickGains implements DetailListener {
       if (isLeftOut(brick) || outer.has(`${level}/${number}`)) continue;
       const around = layout.levels.slice(level).map((_, n) => {
         const at = brickOfCell(layout.levels[level + n], firstCell(layout, brick));
-        return `${level + n}/${numberOf(layout, { level: level + n, at })}`;
+        return `${level + n}/${numberOfBrick(layout, level + n, at)}`;
       });
       if (around.some((key) => taken.has(key))) continue;
       taken.add(around[0]);
@@ -64,13 +64,8 @@ export class BrickGains implements DetailListener {
   }
 
   #brickOf(cell: number, level: number): Vector3 {
-    const { cells, levels } = this.bricks.layout;
-    const at: Vector3 = [
-      cell % cells[0],
-      Math.floor(cell / cells[0]) % cells[1],
-      Math.floor(cell / (cells[0] * cells[1])),
-    ];
-    return brickOfCell(levels[level], at);
+    const { layout } = this.bricks;
+    return brickOfCell(layout.levels[level], placeOfCell(layout, cell));
   }
 }
 
@@ -103,7 +98,7 @@ export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick
     for (let level = layout.levels.length - 1; level >= 0; level--) {
       const brick = { level, at: brickOfCell(layout.levels[level], cell) };
       if (isKnown(brick)) continue;
-      found.set(`${level}/${numberOf(layout, brick)}`, brick);
+      found.set(`${level}/${numberOfBrick(layout, level, brick.at)}`, brick);
       break;
     }
   }
@@ -112,11 +107,6 @@ export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick
 
 const firstCell = ({ levels }: BrickLayout, { level, at }: Brick): Vector3 =>
   at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
-
-function numberOf({ levels }: BrickLayout, { level, at: [i, j, k] }: Brick): number {
-  const [nx, ny] = levels[level].bricks;
-  return i + nx * (j + ny * k);
-}
 
 function placeOf({ levels }: BrickLayout, level: number, number: number): Vector3 {
   const [nx, ny] = levels[level].bricks;

@@ -15,6 +15,7 @@ import {
   cellOfPlace,
   cellsOfBrick,
   gridOfLevel,
+  placeOfCell,
   shapeAtlas,
   slotDimensions,
   slotSide,
@@ -188,6 +189,11 @@ export class ResidentBricks implements FinerVoxels {
   /** The level of a cell's brick; the number of levels where the volume itself is shown. */
   levelOf(cell: number): number {
     return (this.pages[4 * cell + 3] || this.layout.levels.length + 1) - 1;
+  }
+
+  /** The level that a cell would have if the brick that it shows were not there. */
+  levelWithout(cell: number): number {
+    return this.#coarser(placeOfCell(this.layout, cell), this.levelOf(cell))?.level ?? this.layout.levels.length;
   }
 
   /** The slot of the brick that a cell shows; -1 where it has none. */

@@ -10,19 +10,11 @@ import { brickHalo, brickOfCell, slotDimensions, slotSide } from './brick-layout
 import type { DetailField } from './detail-field.ts';
 import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
+import { MeasuredDetail } from './measured-detail.ts';
 import type { Brick } from './pyramid.ts';
 import { keyOfBrick } from './resident-bricks.ts';
 import type { ResidentBricks } from './resident-bricks.ts';
 import type { ResidualTable } from './residuals.ts';
-
-/** How far a brick is from what was there before it, in stored values. */
-interface Measured {
-  readonly level: number;
-  readonly rms: number;
-  readonly max: number;
-  /** The same of what was there, against the next coarser level. */
-  readonly before: number;
-}
 
 interface Probe extends Brick {
   readonly samples: Samples;
@@ -52,17 +44,16 @@ const leastPeak = 2;
  */
 export class ResidentDetail implements HiddenValues, DetailField {
   readonly levels: number;
-  readonly #measured = new Map<string, Measured>();
+  readonly #measured: MeasuredDetail;
   readonly #probes = new Map<string, Probe>();
   /** Sums of squares, by level. */
   readonly #fine: Float64Array;
   readonly #coarse: Float64Array;
-  /** By level of the shown brick * (levels + 1) + level that is asked for: times the detail of the octave that is known. */
-  readonly #factors: Float64Array;
   /** By level: the largest residual that was measured, in root mean squares of its brick. */
   readonly #peaks: Float64Array;
-  #rmsOfSlot = new Float64Array(0);
-  #maxOfSlot = new Float64Array(0);
+  /** By level, where no brick was measured: what it hides, in roughnesses of the volume. */
+  readonly #usualRms: Float64Array;
+  readonly #usualMax: Float64Array;
   readonly #range: [low: number, high: number] = [Infinity, -Infinity];
   #table: ResidualTable | null = null;
   #byTable: HiddenValues | null = null;
@@ -74,7 +65,9 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.levels = bricks.layout.levels.length + 1;
     this.#fine = new Float64Array(this.levels);
     this.#coarse = new Float64Array(this.levels);
-    this.#factors = new Float64Array(this.levels * (this.levels + 1));
+    this.#measured = new MeasuredDetail(bricks.layout);
+    this.#usualRms = new Float64Array(this.levels);
+    this.#usualMax = new Float64Array(this.levels);
     this.#peaks = new Float64Array(this.levels).fill(leastPeak);
     const { low, high } = volume.macrocells;
     for (let n = 0; n < low.length; n++) this.#meet(low[n], high[n]);
@@ -95,7 +88,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   /** Whether a brick was there once, or its values are known without it. */
   isMeasured(brick: Brick): boolean {
-    return this.#byTable !== null || this.#measured.has(keyOfBrick(brick));
+    return this.#byTable !== null || this.#measured.has(brick);
   }
 
   #compare(brick: Brick, values: Pick<BrickSamples, 'low' | 'high'>): void {
@@ -107,9 +100,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
   measure(brick: Brick, { samples, low, high }: BrickSamples, isProbe = false): void {
     this.#meet(low, high);
     this.#compare(brick, { low, high });
-    const key = keyOfBrick(brick);
-    if (isProbe) this.#probes.set(key, { ...brick, samples });
-    if (this.#measured.has(key)) return;
+    if (isProbe) this.#probes.set(keyOfBrick(brick), { ...brick, samples });
+    if (this.#measured.has(brick)) return;
     const probe = this.#probeAround(brick);
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
     let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
@@ -123,23 +115,23 @@ export class ResidentDetail implements HiddenValues, DetailField {
           const voxel = inSlot.map((n, axis) => brick.at[axis] * brickSide + n - brickHalo);
           if (Number.isNaN(value) || voxel.some((n, axis) => n > dimensions[axis])) continue;
           const place = voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
-          const block = this.#shownAt(...(place as [number, number, number]));
-          const isFiner = probe !== null && probe.level < this.#levelOf(block);
+          const shownBy = this.#shownAt(...(place as [number, number, number]));
+          const isFiner = probe !== null && probe.level < this.#levelOf(shownBy);
           const shown = isFiner ? this.bricks.storedIn(probe, place) : this.bricks.storedAt(place);
           if (Number.isNaN(shown)) continue;
           count++;
           squares += (value - shown) ** 2;
           max = Math.max(max, Math.abs(value - shown));
           [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
-          before += (isFiner ? this.#measured.get(keyOfBrick(probe))!.rms : this.#rmsAt(block)) ** 2;
-          steps = Math.max(1, (isFiner ? probe.level : this.#levelOf(block)) - brick.level);
+          before += (isFiner ? this.#measured.of(probe)!.rms : this.#rmsAt(shownBy)) ** 2;
+          steps = Math.max(1, (isFiner ? probe.level : this.#levelOf(shownBy)) - brick.level);
         }
     // A single voxel is between the places; that it is there, the brick says.
     if (count > 0) max = Math.max(max, high - shownHigh, shownLow - low);
     // Several octaves have the same detail each, as far as is known.
     const rms = Math.sqrt(squares / Math.max(1, count * steps));
     if (rms > 0) this.#peaks[brick.level] = Math.max(this.#peaks[brick.level], max / (rms * Math.sqrt(steps)));
-    this.#measured.set(key, { level: brick.level, rms, max, before: Math.sqrt(before / Math.max(1, count)) });
+    this.#measured.add({ brick, octaves: steps, rms, max });
     this.#fine[brick.level] += rms ** 2 * count;
     this.#coarse[brick.level] += before;
   }
@@ -161,41 +153,38 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   /** Bricks have come or gone. */
   update(): void {
-    const { bricks, levels } = this;
-    this.#rmsOfSlot = new Float64Array(bricks.slots);
-    this.#maxOfSlot = new Float64Array(bricks.slots);
-    for (const brick of bricks.bricks) {
-      const { rms, max } = this.#measured.get(keyOfBrick(brick)) ?? { rms: 0, max: 0 };
-      this.#rmsOfSlot[brick.slot] = rms;
-      this.#maxOfSlot[brick.slot] = max;
-    }
+    const { levels } = this;
     const growth = new Float64Array(levels);
     for (let level = levels - 2; level >= 0; level--) {
       const [fine, coarse] = [this.#fine[level], this.#coarse[level]];
       const next = level + 2 < levels ? growth[level + 1] : 1;
       growth[level] = coarse > 0 ? Math.min(limits[1], Math.max(limits[0], Math.sqrt(fine / coarse))) : next;
     }
-    for (let present = 0; present < levels; present++)
-      for (let level = 1; level <= levels; level++) {
-        let square = 0;
-        for (let octave = 0; octave < Math.min(level, present + 1); octave++) {
-          let times = 1;
-          for (let n = octave; n < present; n++) times *= growth[n];
-          square += times ** 2;
-        }
-        this.#factors[present * (levels + 1) + level] = Math.sqrt(square);
-      }
+    this.#measured.update(growth, this.#peaks);
+    let [squares, peak] = [0, maxOfRoughness / rmsOfRoughness];
+    for (let level = 1; level < levels; level++) {
+      const times = growth.subarray(level - 1, levels - 1).reduce((all, one) => all * one, 1);
+      squares += (rmsOfRoughness * times) ** 2;
+      peak = Math.max(peak, this.#peaks[level - 1]);
+      this.#usualRms[level] = Math.sqrt(squares);
+      this.#usualMax[level] = peak * Math.sqrt(squares);
+    }
   }
 
-  /** A block of the writer's table; without one, see `#shownAt`. */
+  /** A block of the writer's table; without one, a block of what was measured; or, below 0, a macrocell of the volume. */
   blockAt(x: number, y: number, z: number): number {
-    return this.#byTable ? this.#byTable.blockAt(x, y, z) : this.#shownAt(x, y, z);
+    if (this.#byTable) return this.#byTable.blockAt(x, y, z);
+    const measured = this.#measured.blockAt(this.cellAt(x, y, z));
+    return measured < 0 ? this.#macrocellAt(x, y, z) : measured;
   }
 
-  /** The slot of a brick; or, below 0, a macrocell of the volume. */
+  /** The slot of the brick that is shown; or, below 0, a macrocell of the volume. */
   #shownAt(x: number, y: number, z: number): number {
     const slot = this.bricks.slotOf(this.cellAt(x, y, z));
-    if (slot >= 0) return slot;
+    return slot < 0 ? this.#macrocellAt(x, y, z) : slot;
+  }
+
+  #macrocellAt(x: number, y: number, z: number): number {
     const {
       grid: { dimensions },
       macrocells: {
@@ -209,17 +198,14 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   rms(block: number, level: number): number {
     if (this.#byTable) return this.#byTable.rms(block, level);
-    return this.#known(block).rms * this.#factors[this.#levelOf(block) * (this.levels + 1) + level];
+    if (block >= 0) return this.#measured.rms(block, level);
+    return this.#usualRms[level] * this.#roughness(block);
   }
 
   max(block: number, level: number): number {
     if (this.#byTable) return this.#byTable.max(block, level);
-    const { rms, max } = this.#known(block);
-    if (!(rms > 0)) return 0;
-    let peak = max / rms;
-    for (let octave = Math.min(level, this.#levelOf(block)) - 1; octave >= 0; octave--)
-      peak = Math.max(peak, this.#peaks[octave]);
-    return peak * this.rms(block, level);
+    if (block >= 0) return this.#measured.max(block, level);
+    return this.#usualMax[level] * this.#roughness(block);
   }
 
   low(block: number): number {
@@ -242,20 +228,22 @@ export class ResidentDetail implements HiddenValues, DetailField {
     return this.bricks.levelOf(cell);
   }
 
-  /** Of the octave that is known, also of a brick that has come since the last update. */
-  #rmsAt(block: number): number {
-    if (block < 0) return this.#known(block).rms;
-    return this.#measured.get(keyOfBrick(this.bricks.inSlot(block)!))?.rms ?? 0;
+  levelWithout(cell: number): number {
+    return this.bricks.levelWithout(cell);
   }
 
-  #levelOf(block: number): number {
-    return block < 0 ? this.levels - 1 : this.bricks.inSlot(block)!.level;
+  /** Of the octave that what is shown has beyond the next coarser level. */
+  #rmsAt(shown: number): number {
+    if (shown < 0) return rmsOfRoughness * this.#roughness(shown);
+    return this.#measured.of(this.bricks.inSlot(shown)!)?.rms ?? 0;
   }
 
-  #known(block: number): { readonly rms: number; readonly max: number } {
-    if (block >= 0) return { rms: this.#rmsOfSlot[block] ?? 0, max: this.#maxOfSlot[block] ?? 0 };
-    const rough = this.volume.macrocells.roughness[-1 - block];
-    return { rms: rmsOfRoughness * rough, max: maxOfRoughness * rough };
+  #levelOf(shown: number): number {
+    return shown < 0 ? this.levels - 1 : this.bricks.inSlot(shown)!.level;
+  }
+
+  #roughness(macrocell: number): number {
+    return this.volume.macrocells.roughness[-1 - macrocell];
   }
 
   #meet(low: number, high: number): void {

@@ -62,8 +62,8 @@ export class BrickView implements ViewPart, KeptBricks {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
-  /** How often bricks of a picture took the place of others for little, and the smallest error that there was. */
-  #exchanged = { key: '', times: 0, error: Infinity };
+  /** How often bricks of a picture took the place of others for little, and the smallest error that there was in this room. */
+  #exchanged = { key: '', slots: 0, times: 0, error: Infinity };
   /** Probes that could not be read. */
   readonly #unreadable = new Set<string>();
   readonly #pictures = new BrickPictures();
@@ -305,7 +305,6 @@ export class BrickView implements ViewPart, KeptBricks {
         if (viewer) void this.#pictures.drawSoon(viewer, () => this.#users > 0 && bricks.moving);
       },
       grew: () => {
-        this.#exchanged.times = 0;
         if (bricks.count < bricks.capacity) return;
         bricks.fit(this.#capacity);
         this.#changes++;
@@ -336,8 +335,11 @@ export class BrickView implements ViewPart, KeptBricks {
       const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
       if (found) {
-        if (picture.key !== this.#exchanged.key) this.#exchanged = { key: picture.key, times: 0, error: Infinity };
-        const isFull = bricks.count >= this.#capacity;
+        const { key } = picture;
+        const slots = this.#capacity;
+        if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
+          this.#exchanged = { key, slots, times: 0, error: Infinity };
+        const isFull = bricks.count >= slots;
         const isBetter = found.error.rms < (1 - leastGain) * this.#exchanged.error;
         if (isBetter) this.#exchanged.error = found.error.rms;
         isExchange = isFull && !isBetter;

@@ -1,5 +1,6 @@
 // What bricks over a volume hide, learnt from those that have come; and the order of the next ones.
 import { expect } from '@esm-bundle/chai';
+import { seekDetail } from '../../../src/bricks/estimate-detail.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { BrickGains, probeBricks } from '../../../src/bricks/rank-bricks.ts';
@@ -8,6 +9,9 @@ import { setUpRays } from '../../../src/optics/rays/rays.ts';
 import { ResidentDetail } from '../../../src/bricks/resident-detail.ts';
 import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
 import { measureResiduals } from '../../../src/bricks/residuals.ts';
+import { sumSpans } from '../../../src/bricks/span-sums.ts';
+import { atOnce } from '../../../src/core/waiting.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
 import { holdsBrick } from '../../../src/bricks/hidden-values.ts';
 import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
 import type { Bricked } from '../../helpers/bricks.ts';
@@ -31,12 +35,12 @@ function makeRough() {
     detail.measure(brick, samples);
     made.volume.finer.add(brick, samples);
   };
-  return { ...made, detail, add, table: measureResiduals(made.pyramid, 32) };
+  return { ...made, bricks: made.volume.finer, detail, add, table: measureResiduals(made.pyramid, 32) };
 }
 
 /** The same, with what its writer would say. */
 function makeWritten() {
-  const { detail, add, table, ...bricked } = makeRough();
+  const { detail, add, table, bricks: _, ...bricked } = makeRough();
   return { detail, add, table, bricked };
 }
 
@@ -88,6 +92,53 @@ describe('what bricks hide', () => {
     expect(probeBricks(volume.finer.layout, rays, (brick) => detail.isMeasured(brick))).to.deep.equal([]);
     detail.update();
     expect(reach()).to.be.above(150);
+  });
+
+  it('is still known where bricks were looked at and have gone; also of the octaves around them', () => {
+    const { detail, add, bricks } = makeRough();
+    const hides = (level: number): number => detail.rms(detail.blockAt(0.6, 0.1, 0.1), level);
+    add({ level: 1, at: [1, 0, 0] });
+    add({ level: 0, at: [2, 0, 0] });
+    detail.update();
+    const [one, two] = [hides(1), hides(2)];
+    expect(two).to.be.above(one);
+    for (const brick of [...bricks.bricks]) bricks.remove(brick);
+    detail.update();
+    expect([hides(1), hides(2)]).to.deep.equal([one, two]);
+    // Another brick of the finest level there was not looked at: the coarser octave is the measured one, as this is smooth.
+    expect(detail.rms(detail.blockAt(0.9, 0.1, 0.1), 2)).to.be.within(0.4 * two, 2.5 * two);
+  });
+
+  it('makes a brick worth about what it brings once it has gone, also where nothing but the coarsest level lies below it', () => {
+    const { detail, add, bricks, volume, pyramid } = makeRough();
+    for (const brick of listBricks(pyramid, 1)) if (brick.at[2] === 0) add(brick);
+    for (const brick of listBricks(pyramid, 0)) if (brick.at[2] > 1 && brick.at[0] < 2) add(brick);
+    const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.6, 1, 1, 2))!;
+    const estimate = (): BrickGains => {
+      detail.update();
+      const gains = new BrickGains(bricks);
+      const transferFunction = parseTransferFunction('0 black 0%, 1 white 60%', [0, 1]);
+      const sums = sumSpans(transferFunction, detail.range, { slope: 1, intercept: 0, stepRatio: 0.01 });
+      atOnce(seekDetail({ field: detail, rays, sums, step: 1 / 128, hidden: detail, across: 24 }, gains));
+      return gains;
+    };
+    const before = estimate();
+    const all = [...bricks.bricks];
+    const worths = all.map((brick) => before.worth(brick));
+    const most = Math.max(...worths);
+    let compared = 0;
+    for (const [n, brick] of all.entries()) {
+      if (n % 2 > 0) continue;
+      bricks.remove(brick);
+      const gain = estimate()
+        .rank(10_000, 1, (other) => keyOfBrick(other) !== keyOfBrick(brick))
+        .reduce((sum, { gain: one }) => sum + one, 0);
+      bricks.add(brick, brick);
+      if (Math.max(gain, worths[n]) < most / 20) continue;
+      compared++;
+      expect(worths[n] / gain, keyOfBrick(brick)).to.be.within(0.4, 2.5);
+    }
+    expect(compared).to.be.above(8);
   });
 
   it('is nothing where a brick of the finest level is there; the range of values is that of all', () => {

@@ -1,0 +1,121 @@
+import { brickOfCell, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
+import type { BrickLayout } from './brick-layout.ts';
+import type { Brick } from './pyramid.ts';
+
+/** How far a brick is from what was there before it, in stored values. */
+export interface MeasuredBrickDetail {
+  readonly brick: Brick;
+  /** Octaves between both levels; an octave is what a level shows beyond the next coarser one. */
+  readonly octaves: number;
+  /** Root of the mean square of each octave, as if all had the same detail; and the largest difference of all. */
+  readonly rms: number;
+  readonly max: number;
+}
+
+/**
+ * What levels hide where bricks were looked at, also when these have gone: each place knows the finest one of them, and for the coarser octaves those around it.
+ * Octaves that nobody has measured follow from the nearest one by what is usual in the pyramid. Blocks are numbers of bricks, from 0 on.
+ */
+export class MeasuredDetail {
+  readonly #bricks: MeasuredBrickDetail[] = [];
+  /** By level: the number of each measured brick, by its number in the level. */
+  readonly #byLevel: readonly Map<number, number>[];
+  /** By cell: 1 + the number of the finest measured brick, 0 for none; made with the first one. */
+  #finest: Int32Array | null = null;
+  /** So many bricks are in `#finest`. */
+  #placed = 0;
+  readonly #levels: number;
+  /** By brick, then by level: the octaves that are finer than this level. */
+  #rms = new Float64Array(0);
+  #max = new Float64Array(0);
+
+  constructor(readonly layout: BrickLayout) {
+    this.#levels = layout.levels.length + 1;
+    this.#byLevel = layout.levels.map(() => new Map<number, number>());
+  }
+
+  has(brick: Brick): boolean {
+    return this.of(brick) !== undefined;
+  }
+
+  of({ level, at }: Brick): MeasuredBrickDetail | undefined {
+    return this.#bricks[this.#byLevel[level].get(numberOfBrick(this.layout, level, at)) ?? -1];
+  }
+
+  /** Counts from the next `update` on. */
+  add(measured: MeasuredBrickDetail): void {
+    const { level, at } = measured.brick;
+    this.#byLevel[level].set(numberOfBrick(this.layout, level, at), this.#bricks.length);
+    this.#bricks.push(measured);
+  }
+
+  /**
+   * @param growth - by octave: how many times the detail of the next coarser one it usually has
+   * @param peaks - by octave: its largest difference, in root mean squares
+   */
+  update(growth: Float64Array, peaks: Float64Array): void {
+    this.#place();
+    const levels = this.#levels;
+    this.#rms = new Float64Array(this.#bricks.length * levels);
+    this.#max = new Float64Array(this.#bricks.length * levels);
+    const [rms, peak] = [new Float64Array(levels), new Float64Array(levels)];
+    this.#bricks.forEach((measured, number) => {
+      const { level } = measured.brick;
+      let [last, end] = [measured, level + measured.octaves];
+      for (let octave = level; octave < levels - 1; octave++) {
+        const around = octave < end ? undefined : this.#around(measured.brick, octave);
+        if (around) [last, end] = [around, octave + around.octaves];
+        rms[octave] = octave < end ? last.rms : rms[octave - 1] / growth[octave - 1];
+        peak[octave] = last.rms > 0 ? last.max / last.rms : 0;
+      }
+      for (let octave = level - 1; octave >= 0; octave--) {
+        rms[octave] = rms[octave + 1] * growth[octave];
+        peak[octave] = Math.max(peak[octave + 1], peaks[octave]);
+      }
+      let [squares, highest] = [0, 0];
+      for (let octave = 0; octave < levels - 1; octave++) {
+        squares += rms[octave] ** 2;
+        if (rms[octave] > 0) highest = Math.max(highest, peak[octave]);
+        this.#rms[number * levels + octave + 1] = Math.sqrt(squares);
+        this.#max[number * levels + octave + 1] = highest * Math.sqrt(squares);
+      }
+    });
+  }
+
+  /** The finest brick that was measured in a cell; -1 for none. */
+  blockAt(cell: number): number {
+    return this.#finest ? this.#finest[cell] - 1 : -1;
+  }
+
+  /** What a level hides of the finest one. */
+  rms(block: number, level: number): number {
+    return this.#rms[block * this.#levels + level];
+  }
+
+  max(block: number, level: number): number {
+    return this.#max[block * this.#levels + level];
+  }
+
+  #around({ level, at }: Brick, octave: number): MeasuredBrickDetail | undefined {
+    const { levels } = this.layout;
+    const cell = at.map((n, axis) => n * levels[level].factors[axis]) as [number, number, number];
+    return this.of({ level: octave, at: brickOfCell(levels[octave], cell) });
+  }
+
+  #place(): void {
+    if (this.#placed === this.#bricks.length) return;
+    const [cx, cy, cz] = this.layout.cells;
+    const finest = (this.#finest ??= new Int32Array(cx * cy * cz));
+    for (; this.#placed < this.#bricks.length; this.#placed++) {
+      const { level, at } = this.#bricks[this.#placed].brick;
+      const [low, high] = cellsOfBrick(this.layout, level, at);
+      for (let k = low[2]; k < high[2]; k++)
+        for (let j = low[1]; j < high[1]; j++)
+          for (let i = low[0]; i < high[0]; i++) {
+            const cell = i + cx * (j + cy * k);
+            if (finest[cell] === 0 || this.#bricks[finest[cell] - 1].brick.level > level)
+              finest[cell] = this.#placed + 1;
+          }
+    }
+  }
+}
