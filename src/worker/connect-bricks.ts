@@ -28,6 +28,8 @@ export function connectBricks(port: MessagePort, signal: AbortSignal, onEnd: () 
   let over: { readonly reason: Error | null } | null = null;
   let settle: { resolve(store: BrickStore | null): void; reject(reason: unknown): void };
   const opened = new Promise<BrickStore | null>((resolve, reject) => (settle = { resolve, reject }));
+  // It may fail while its worker is not there yet, when nobody waits for it.
+  opened.catch(() => {});
   const tell = (order: BricksOrder): void => port.postMessage(order);
   const end = (reason: Error | null): void => {
     if (over) return;

@@ -83,6 +83,25 @@ describe('a pyramid in bricks', () => {
     await until(() => alive.size === 0);
   });
 
+  it('is given up while its worker starts: who asked for it hears of it, and nobody else', async () => {
+    let unheard = 0;
+    const hear = (event: Event): void => {
+      event.preventDefault();
+      unheard++;
+    };
+    addEventListener('unhandledrejection', hear);
+    for (const ms of [0, 1, 5]) {
+      const asked = new AbortController();
+      const opening = failureOf(openBricks(request, { signal: asked.signal, fetch: async (url) => answer(url) }));
+      if (ms > 0) await new Promise((resolve) => setTimeout(resolve, ms));
+      asked.abort(new Error('has left'));
+      expect(await opening).to.include({ message: 'has left' });
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    removeEventListener('unhandledrejection', hear);
+    expect(unheard).to.equal(0);
+  });
+
   it('is none of what is no OME-Zarr', async () =>
     expect(await openBricks({ ...request, url: '/a.nii' }, { signal: noSignal() })).to.equal(null));
 });
