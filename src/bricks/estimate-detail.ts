@@ -4,6 +4,7 @@ import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
 import type { DetailField } from './detail-field.ts';
 import type { HiddenValues } from './hidden-values.ts';
+import { levelOfPixels } from './pixel-levels.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
 import { atOnce } from '../core/waiting.ts';
@@ -22,6 +23,8 @@ export interface DetailScene {
   readonly hidden: HiddenValues;
   /** Rays across and down. */
   readonly across: number;
+  /** Of the picture, across and down: what is finer than half a pixel is neither missing nor asked for. Undefined: all is. */
+  readonly pixels?: readonly [number, number];
   /** Whether a place of the unit cube is cut away; nothing is if undefined. */
   readonly isAway?: (x: number, y: number, z: number) => boolean;
   /** Shifts rays within their pixels, 0..1. */
@@ -30,7 +33,7 @@ export interface DetailScene {
 
 /** Receives what is found, for each cell that a ray meets. Energies are sums over rays and four channels of squared differences, 0..1. */
 export interface DetailListener {
-  /** How much less the energy is if the cell has this level instead of its present one. */
+  /** How much less the energy is if the cell has this level instead of its present one. The finest level that counts comes first. */
   gain(cell: number, level: number, energy: number): void;
   /** How much more the energy would be if the cell's brick were not there; undefined if nobody asks. */
   loss?(cell: number, energy: number): void;
@@ -40,7 +43,7 @@ export interface DetailListener {
 export interface DetailEstimate {
   /** By cell * number of levels + level: how much less the energy is if the cell has this level; 0 from its present level on. */
   readonly gains: Float64Array;
-  /** The root mean square of the differences over the rays that meet the volume, in 1/255. */
+  /** The root mean square of the differences over the rays that show something, in 1/255. */
   readonly rms: number;
 }
 
@@ -50,7 +53,10 @@ const opaque = 1e-3;
 /** Share of a residual's variance that a few far values have: half of it, as measured in the bench. */
 const farShare = 0.5;
 
-/** Neighbouring voxels' residuals have the same sign over about so many voxels, times 2^level. */
+/** Values pass through a narrow peak of the transfer function within so many voxels. */
+const passed = 0.5;
+
+/** Differences of a level that is made of noise go together over so many voxels, times 2^level. */
 const correlated = 0.5;
 
 /** Estimates what the coarse bricks of a picture hide, and what finer ones would bring. @param cells - their number */
@@ -65,7 +71,8 @@ export function estimateDetail(scene: DetailScene, cells: number): DetailEstimat
 
 /**
  * The same, with a pause after each row of rays.
- * @returns the differences over the rays that meet the volume, in 1/255: their root mean square, and what 99 % of the rays stay below
+ * @returns the differences over the rays that show something, in 1/255: their root mean square, and what 99 % of the rays stay below. A ray that shows nothing yet
+ * counts by the opacity that is expected of it: empty pixels next to a thing would dilute what is wrong with it.
  */
 export function* seekDetail(
   scene: DetailScene,
@@ -73,7 +80,7 @@ export function* seekDetail(
 ): Waiting<{ readonly rms: number; readonly p99: number }> {
   const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
   const tracer = traceRays(scene, listener.loss !== undefined);
-  const energies: number[] = [];
+  const found: { readonly energy: number; readonly cover: number }[] = [];
   for (let row = 0; row < across; row++) {
     for (let column = 0; column < across; column++) {
       const ray = rayThrough(rays, ((column + shift[0]) / across) * 2 - 1, 1 - ((row + shift[1]) / across) * 2);
@@ -82,23 +89,30 @@ export function* seekDetail(
       if (!(exit > entry)) continue;
       const seen = tracer(ray, entry, exit, step / ray.lengthPerT);
       if (!seen) continue;
-      energies.push(addGains(seen, field.levels, listener));
+      found.push({ energy: addGains(seen, field.levels, listener), cover: seen.cover });
     }
     yield;
   }
-  const sum = energies.reduce((a, b) => a + b, 0);
-  energies.sort((a, b) => a - b);
-  const p99 = energies[Math.floor(0.99 * energies.length)] ?? 0;
+  const sum = found.reduce((all, { energy }) => all + energy, 0);
+  const covered = found.reduce((all, { cover }) => all + cover, 0);
+  found.sort((a, b) => b.energy - a.energy);
+  let above = 0;
+  const p99 = found.find(({ cover }) => (above += cover) > 0.01 * covered)?.energy ?? 0;
+  const inBytes = (energy: number): number => Math.min(255, 255 * Math.sqrt(energy));
   // All of a ray's difference may be in one channel.
-  return { rms: 255 * Math.sqrt(sum / Math.max(1, 4 * energies.length)), p99: Math.min(255, 255 * Math.sqrt(p99)) };
+  return { rms: covered > 0 ? inBytes(sum / (4 * covered)) : 0, p99: inBytes(p99) };
 }
 
 /** What one ray says: for each cell that it meets, and each level up to its present one, its bias and its variance. */
 interface RayDetail {
   readonly cells: readonly number[];
   readonly present: readonly number[];
+  /** The finest level of each cell that counts. */
+  readonly finest: readonly number[];
   /** The level of each cell without its brick. */
   readonly without: readonly number[];
+  /** Whether it shows something, 1; else the opacity that is expected of it. */
+  readonly cover: number;
   /** Cell by cell and level by level: four biases, then the sum of the variances of all channels. */
   readonly found: Float64Array;
 }
@@ -109,7 +123,11 @@ const perLevel = 5;
  * Biases of a ray's cells add up, variances do too. What a cell brings is the part of the ray's whole energy that goes with it.
  * @returns the energy of the ray
  */
-function addGains({ cells, present, without, found }: RayDetail, levels: number, listener: DetailListener): number {
+function addGains(
+  { cells, present, finest, without, found }: RayDetail,
+  levels: number,
+  listener: DetailListener,
+): number {
   const total = new Float64Array(perLevel);
   cells.forEach((_, n) => {
     const at = (n * levels + present[n]) * perLevel;
@@ -117,7 +135,7 @@ function addGains({ cells, present, without, found }: RayDetail, levels: number,
   });
   cells.forEach((cell, n) => {
     const now = (n * levels + present[n]) * perLevel;
-    for (let level = 0; level < present[n]; level++) {
+    for (let level = finest[n]; level < present[n]; level++) {
       const then = (n * levels + level) * perLevel;
       let [shared, own] = [0, 0];
       for (let c = 0; c < 4; c++) {
@@ -154,33 +172,42 @@ const maxSteps = 8192;
  * C' - C = sum of T'_n (S'_n - S_n - (a'_n - a_n) B_n).
  * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
-function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, isLossAsked: boolean): Tracer {
+function traceRays(
+  { field, sums, rays, hidden, isAway, pixels, voxels = 1 }: DetailScene,
+  isLossAsked: boolean,
+): Tracer {
   const { levels } = field;
+  const finestAt = pixels && field.voxels ? levelOfPixels(rays, pixels, field.voxels) : () => 0;
   const levelWithout = (cell: number, level: number): number =>
     isLossAsked ? (field.levelWithout?.(cell) ?? Math.min(levels - 1, level + 1)) : level;
   const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
   const [shown, spreads] = [new Float64Array(4 * maxSteps), new Float64Array(sumCount * maxSteps)];
-  const [cellOf, blockOf, levelAt] = [new Int32Array(maxSteps), new Int32Array(maxSteps), new Uint8Array(maxSteps)];
+  const [cellOf, blockOf] = [new Int32Array(maxSteps), new Int32Array(maxSteps)];
+  const [levelAt, dueAt] = [new Uint8Array(maxSteps), new Uint8Array(maxSteps)];
+  const togetherAt = new Float64Array(maxSteps);
   const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
-  /** What the hidden values of a level would show at a step; false where it hides nothing. */
-  const seeHidden = (n: number, level: number, into: Float64Array): boolean => {
-    const block = blockOf[n];
-    const [low, high, rms, max] = [
-      hidden.low(block),
-      hidden.high(block),
-      hidden.rms(block, level),
-      hidden.max(block, level),
-    ];
-    if (!(max > 0) || !(low <= high)) return false;
+  const correlationOf = (level: number): number => hidden.correlation?.(level) ?? correlated * 2 ** level;
+  /**
+   * What the hidden values of a level would show at a step.
+   * @returns over how many voxels it goes together; 0 where the level hides nothing
+   */
+  const seeHidden = (n: number, level: number, into: Float64Array): number => {
+    const [block, due] = [blockOf[n], dueAt[n]];
+    if (level <= due) return 0;
+    const [low, high, all] = [hidden.low(block), hidden.high(block), hidden.rms(block, level)];
+    const rms = due > 0 ? Math.sqrt(Math.max(0, all ** 2 - hidden.rms(block, due) ** 2)) : all;
+    const max = hidden.max(block, level) * (due > 0 && all > 0 ? rms / all : 1);
+    if (!(max > 0) || !(low <= high)) return 0;
     // Where the resident level shows no data, the middle of what may be there stands for it.
     const center = Number.isNaN(values[n]) ? (low + high) / 2 : values[n];
     const previous = n > 0 && !Number.isNaN(values[n - 1]) ? values[n - 1] : center;
-    meanOfHidden(sums, { center, previous, rms, max, low, high }, into);
-    return true;
+    const { linear, isPeaked } = meanOfHidden(sums, { center, previous, rms, max, low, high }, into);
+    const least = isPeaked ? passed : 1;
+    return least + linear * Math.max(0, correlationOf(level) - least);
   };
   return ({ point, direction }, entry, exit, dt) => {
     const count = Math.min(maxSteps, Math.ceil((exit - entry) / dt));
-    let [through, used, last, isSeen] = [1, 0, NaN, false];
+    let [through, used, last, isShown] = [1, 0, NaN, false];
     for (; used < count && through > opaque; used++) {
       const t = entry + (used + 0.5) * dt;
       const [x, y, z] = [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
@@ -196,15 +223,19 @@ function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, isL
       for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];
       const level = isCut ? cut : field.levelOf(cell);
       levelAt[used] = level;
-      if (isCut || level === 0 || !seeHidden(used, level, spread)) spread.set(means);
+      dueAt[used] = finestAt(t);
+      togetherAt[used] = isCut || level === 0 ? 0 : seeHidden(used, level, spread);
+      if (togetherAt[used] === 0) spread.set(means);
       spreads.set(spread, sumCount * used);
       through *= 1 - spread[3];
-      isSeen ||= means[3] > 0 || spread[3] > 0;
+      isShown ||= means[3] > 0;
       last = value;
     }
-    if (!isSeen) return null;
+    const cover = isShown ? 1 : 1 - through;
+    if (!(cover > 0)) return null;
     const cells: number[] = [];
     const present: number[] = [];
+    const finest: number[] = [];
     const without: number[] = [];
     const found: number[] = [];
     const back = [0, 0, 0, 0];
@@ -219,14 +250,17 @@ function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, isL
           if (slot < 0) {
             slot = cells.push(cell) - 1;
             present.push(level);
+            finest.push(levels);
             without.push(levelWithout(cell, level));
             for (let i = 0; i < levels * perLevel; i++) found.push(0);
           }
         }
+        finest[slot] = Math.min(finest[slot], dueAt[n]);
         for (let at = 1; at <= without[slot]; at++) {
           if (at > level && at < without[slot]) continue;
+          const together = at === level ? togetherAt[n] : seeHidden(n, at, spread);
+          if (together === 0) continue;
           if (at === level) spread.set(spreads.subarray(sumCount * n, sumCount * (n + 1)));
-          else if (!seeHidden(n, at, spread)) continue;
           const start = (slot * levels + at) * perLevel;
           const more = spread[3] - shown[own + 3];
           let variance = 0;
@@ -237,19 +271,20 @@ function traceRays({ field, sums, hidden, isAway, voxels = 1 }: DetailScene, isL
             const square = spread[4 + c] - 2 * back[c] * product + back[c] ** 2 * spread[7];
             variance += Math.max(0, square - (spread[c] - back[c] * spread[3]) ** 2);
           }
-          if (hidden.max(blockOf[n], at) > 0)
-            found[start + 4] += visible[n] ** 2 * variance * (Math.max(1, correlated * 2 ** at) / voxels);
+          found[start + 4] += visible[n] ** 2 * variance * (together / voxels);
         }
       }
       for (let c = 0; c < 4; c++) back[c] = shown[own + c] + (1 - shown[own + 3]) * back[c];
     }
-    return { cells, present, without, found: Float64Array.from(found) };
+    return { cells, present, finest, without, cover, found: Float64Array.from(found) };
   };
 }
 
 /**
  * Means over the values that voxels may have where a level shows `center`: two boxes around it, a wide one up to the largest residual, and a
  * narrow one for the rest of the variance.
+ * @returns the share of the opacity's variance that is linear in the value, 0..1: it goes together as far as values do, the rest less; and whether the opacity is
+ * lower at both ends of the values, so that rays pass through a peak
  */
 function meanOfHidden(
   sums: SpanSums,
@@ -269,7 +304,7 @@ function meanOfHidden(
     readonly high: number;
   },
   into: Float64Array,
-): void {
+): { readonly linear: number; readonly isPeaked: boolean } {
   const clamp = (value: number): number => Math.min(high, Math.max(low, value));
   const far = Math.min(0.5, (3 * farShare * rms ** 2) / max ** 2);
   const width = Math.sqrt((3 * Math.max(0, rms ** 2 - (far * max ** 2) / 3)) / (1 - far));
@@ -277,4 +312,16 @@ function meanOfHidden(
   into.fill(0);
   sums.addMeans(clamp(center - max), clamp(center + max), far, into);
   sums.addMeans(clamp(from - width), clamp(to + width), 1 - far, into);
+  const middle = (from + to) / 2;
+  const half = (to - from) / 2 + width;
+  const slopeOf = (at: number, reach: number): number =>
+    sums.meanOpacity(at, clamp(at + reach)) - sums.meanOpacity(clamp(at - reach), at);
+  const together = (far * max * slopeOf(center, max) + (1 - far) * half * slopeOf(middle, half)) / 3;
+  const variance = (far * max ** 2 + (1 - far) * half ** 2) / 3;
+  const ofOpacity = into[7] - into[3] ** 2;
+  const opacityAt = (value: number): number => sums.meanOpacity(clamp(value), clamp(value));
+  return {
+    linear: ofOpacity > 1e-12 && variance > 0 ? Math.min(1, together ** 2 / (variance * ofOpacity)) : 1,
+    isPeaked: into[3] > Math.max(opacityAt(center - max), opacityAt(center + max)),
+  };
 }

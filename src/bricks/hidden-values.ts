@@ -14,6 +14,8 @@ export interface HiddenValues {
   /** Root of the mean square, and the largest, of the differences between a level and level 0. */
   rms(block: number, level: number): number;
   max(block: number, level: number): number;
+  /** Over how many voxels of level 0 along a ray the differences of a level go together; undefined: as in noise of one octave. */
+  correlation?(level: number): number;
   /** Smallest and largest value of a block; low > high where it has no data. */
   low(block: number): number;
   high(block: number): number;

@@ -51,16 +51,29 @@ export class BrickGains implements DetailListener {
       if (chosen.length >= count) break;
       const brick = { level, at: placeOf(layout, level, number) };
       if (isLeftOut(brick) || outer.has(`${level}/${number}`)) continue;
-      const around = layout.levels.slice(level).map((_, n) => {
-        const at = brickOfCell(layout.levels[level + n], firstCell(layout, brick));
-        return `${level + n}/${numberOfBrick(layout, level + n, at)}`;
-      });
+      const around = bricksAround(layout, brick);
       if (around.some((key) => taken.has(key))) continue;
       taken.add(around[0]);
       for (const key of around) outer.add(key);
       chosen.push({ brick, gain, bytes });
     }
     return chosen;
+  }
+
+  /** Of the bricks that have no finer ones inside which bring something, those that bring most. @param isLeftOut - of these nothing is in doubt */
+  rankFinest(count: number, isLeftOut: (brick: Brick) => boolean): Brick[] {
+    const { layout } = this.bricks;
+    const found: { readonly brick: Brick; readonly gain: number }[] = [];
+    const outer = new Set<string>();
+    this.#gains.forEach((gains, level) => {
+      for (const [number, gain] of gains) {
+        const brick = { level, at: placeOf(layout, level, number) };
+        if (!outer.has(`${level}/${number}`) && !isLeftOut(brick)) found.push({ brick, gain });
+        for (const key of bricksAround(layout, brick)) outer.add(key);
+      }
+    });
+    found.sort((a, b) => b.gain - a.gain);
+    return found.slice(0, count).map(({ brick }) => brick);
   }
 
   #brickOf(cell: number, level: number): Vector3 {
@@ -79,9 +92,15 @@ const golden = 0.6180339887;
  * The next bricks to look at before anything is said of what coarse bricks hide, as single bright voxels may leave no trace in a coarse level: at
  * places in the picture, from the coarsest level of bricks to the finest, one after the other.
  * @param isKnown - bricks that were looked at
+ * @param finestAt - the finest level that counts, by a ray's parameter
  */
-export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick: Brick) => boolean): Brick[] {
-  const places: Vector3[] = [];
+export function probeBricks(
+  layout: BrickLayout,
+  rays: RaySetup,
+  isKnown: (brick: Brick) => boolean,
+  finestAt: (t: number) => number = () => 0,
+): Brick[] {
+  const places: { readonly place: Vector3; readonly finest: number }[] = [];
   for (let n = 0; n < probesAcross ** 2; n++) {
     const [column, row] = [n % probesAcross, Math.floor(n / probesAcross)];
     const ray = rayThrough(rays, (2 * column + 1) / probesAcross - 1, 1 - (2 * row + 1) / probesAcross);
@@ -89,13 +108,15 @@ export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick
     const entry = Math.max(enter, rays.eyeT);
     if (!(exit > entry)) continue;
     const t = entry + ((0.5 + n * golden) % 1) * (exit - entry);
-    places.push(ray.point.map((x, axis) => x + t * ray.direction[axis]) as unknown as Vector3);
+    const place = ray.point.map((x, axis) => x + t * ray.direction[axis]) as unknown as Vector3;
+    places.push({ place, finest: finestAt(t) });
   }
   const found = new Map<string, Brick>();
   const apart = Math.max(1, places.length / mostProbes);
   for (let n = apart / 2; n < places.length; n += apart) {
-    const cell = cellOfPlace(layout, places[Math.floor(n)]);
-    for (let level = layout.levels.length - 1; level >= 0; level--) {
+    const { place, finest } = places[Math.floor(n)];
+    const cell = cellOfPlace(layout, place);
+    for (let level = layout.levels.length - 1; level >= finest; level--) {
       const brick = { level, at: brickOfCell(layout.levels[level], cell) };
       if (isKnown(brick)) continue;
       found.set(`${level}/${numberOfBrick(layout, level, brick.at)}`, brick);
@@ -103,6 +124,14 @@ export function probeBricks(layout: BrickLayout, rays: RaySetup, isKnown: (brick
     }
   }
   return [...found.values()];
+}
+
+/** A brick, and the coarser ones that cover it. */
+function bricksAround(layout: BrickLayout, brick: Brick): string[] {
+  const cell = firstCell(layout, brick);
+  return layout.levels
+    .slice(brick.level)
+    .map((frame, n) => `${brick.level + n}/${numberOfBrick(layout, brick.level + n, brickOfCell(frame, cell))}`);
 }
 
 const firstCell = ({ levels }: BrickLayout, { level, at }: Brick): Vector3 =>

@@ -125,6 +125,11 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bricks.size;
   }
 
+  /** Of the GPU, with its halo. */
+  get bytesOfBrick(): number {
+    return slotSide ** 3 * this.volume.samples.BYTES_PER_ELEMENT;
+  }
+
   get held(): FinerVoxels['held'] {
     return { count: this.count, bytes: this.bytesOnGpu };
   }

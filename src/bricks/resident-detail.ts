@@ -32,6 +32,15 @@ const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
  */
 const [rmsOfRoughness, maxOfRoughness] = [0.13, 0.4];
 
+/** Residuals that are one voxel of their level apart: how far they go together where none was measured (interpolated noise), and at most. */
+const [usualAlong, mostAlong] = [0.25, 0.8];
+
+/**
+ * So much is left between voxels of what a writer says of these, as a root mean square: of noise, which interpolated along each axis has two thirds of its
+ * variance; and where it is not known whether it is noise.
+ */
+const [ofNoise, ofUnknown] = [(2 / 3) ** 1.5, 0.85];
+
 /** An octave has at least this share and at most so many times the detail of the next coarser one. */
 const limits = [0.25, 8] as const;
 
@@ -44,11 +53,19 @@ const leastPeak = 2;
  */
 export class ResidentDetail implements HiddenValues, DetailField {
   readonly levels: number;
+  readonly voxels: readonly Vector3[];
   readonly #measured: MeasuredDetail;
   readonly #probes = new Map<string, Probe>();
   /** Sums of squares, by level. */
   readonly #fine: Float64Array;
   readonly #coarse: Float64Array;
+  /** By level: sums of products of residuals that are one of its voxels apart, and of their squares. */
+  readonly #pairs: Float64Array;
+  readonly #squares: Float64Array;
+  /** By level: over how many voxels of level 0 its residuals go together. */
+  readonly #correlation: Float64Array;
+  /** By level: how much of the residuals at voxels is left between them, where rays sample. */
+  readonly #between: Float64Array;
   /** By level: the largest residual that was measured, in root mean squares of its brick. */
   readonly #peaks: Float64Array;
   /** By level, where no brick was measured: what it hides, in roughnesses of the volume. */
@@ -63,8 +80,13 @@ export class ResidentDetail implements HiddenValues, DetailField {
     readonly bricks: ResidentBricks,
   ) {
     this.levels = bricks.layout.levels.length + 1;
+    this.voxels = [...bricks.layout.levels.map(({ scale }) => scale), volume.grid.dimensions];
     this.#fine = new Float64Array(this.levels);
     this.#coarse = new Float64Array(this.levels);
+    this.#pairs = new Float64Array(this.levels);
+    this.#squares = new Float64Array(this.levels);
+    this.#correlation = new Float64Array(this.levels);
+    this.#between = new Float64Array(this.levels);
     this.#measured = new MeasuredDetail(bricks.layout);
     this.#usualRms = new Float64Array(this.levels);
     this.#usualMax = new Float64Array(this.levels);
@@ -106,20 +128,37 @@ export class ResidentDetail implements HiddenValues, DetailField {
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
     let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
     let [shownLow, shownHigh] = [Infinity, -Infinity];
+    let [pairs, squaresOfPairs] = [0, 0];
+    const valueAt = (at: Vector3): number =>
+      interpolate(samples, slotDimensions, at.map((n) => n / slotSide) as unknown as Vector3);
+    /** Null beyond the level. */
+    const placeOf = (at: Vector3): Vector3 | null => {
+      const voxel = at.map((n, axis) => brick.at[axis] * brickSide + n - brickHalo);
+      if (voxel.some((n, axis) => n > dimensions[axis])) return null;
+      return voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
+    };
     for (let k = 1, number = 0; k <= brickSide; k += stride)
       for (let j = 1; j <= brickSide; j += stride)
         for (let i = 1; i <= brickSide; i += stride, number++) {
           // Rays sample between voxels, too, where values differ less than at these.
           const inSlot = [i, j, k].map((n, axis) => n + ((number * between[axis]) % 1)) as unknown as Vector3;
-          const value = interpolate(samples, slotDimensions, inSlot.map((n) => n / slotSide) as unknown as Vector3);
-          const voxel = inSlot.map((n, axis) => brick.at[axis] * brickSide + n - brickHalo);
-          if (Number.isNaN(value) || voxel.some((n, axis) => n > dimensions[axis])) continue;
-          const place = voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
+          const value = valueAt(inSlot);
+          const place = placeOf(inSlot);
+          if (Number.isNaN(value) || !place) continue;
           const shownBy = this.#shownAt(...(place as [number, number, number]));
           const isFiner = probe !== null && probe.level < this.#levelOf(shownBy);
-          const shown = isFiner ? this.bricks.storedIn(probe, place) : this.bricks.storedAt(place);
+          const shownAt = (at: Vector3): number =>
+            isFiner ? this.bricks.storedIn(probe, at) : this.bricks.storedAt(at);
+          const shown = shownAt(place);
           if (Number.isNaN(shown)) continue;
           count++;
+          const next = inSlot.map((n, axis) => (axis === number % 3 ? n + 1 : n)) as unknown as Vector3;
+          const nextPlace = placeOf(next);
+          const there = nextPlace ? valueAt(next) - shownAt(nextPlace) : NaN;
+          if (!Number.isNaN(there)) {
+            pairs += (value - shown) * there;
+            squaresOfPairs += ((value - shown) ** 2 + there ** 2) / 2;
+          }
           squares += (value - shown) ** 2;
           max = Math.max(max, Math.abs(value - shown));
           [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
@@ -134,6 +173,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#measured.add({ brick, octaves: steps, rms, max });
     this.#fine[brick.level] += rms ** 2 * count;
     this.#coarse[brick.level] += before;
+    this.#pairs[brick.level] += pairs;
+    this.#squares[brick.level] += squaresOfPairs;
   }
 
   /** The next coarser probe that covers a brick. */
@@ -159,6 +200,14 @@ export class ResidentDetail implements HiddenValues, DetailField {
       const [fine, coarse] = [this.#fine[level], this.#coarse[level]];
       const next = level + 2 < levels ? growth[level + 1] : 1;
       growth[level] = coarse > 0 ? Math.min(limits[1], Math.max(limits[0], Math.sqrt(fine / coarse))) : next;
+    }
+    for (let level = 0; level < levels - 1; level++) {
+      const [pairs, squares] = [this.#pairs[level], this.#squares[level]];
+      const isKnown = squares > 0;
+      const along = isKnown ? Math.min(mostAlong, Math.max(0, pairs / squares)) : usualAlong;
+      this.#correlation[level + 1] = 2 ** level * ((1 + along) / (1 - along));
+      const smooth = Math.max(0, (along - usualAlong) / (1 - usualAlong));
+      this.#between[level + 1] = isKnown ? ofNoise + (1 - ofNoise) * smooth : ofUnknown;
     }
     this.#measured.update(growth, this.#peaks);
     let [squares, peak] = [0, maxOfRoughness / rmsOfRoughness];
@@ -197,7 +246,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   }
 
   rms(block: number, level: number): number {
-    if (this.#byTable) return this.#byTable.rms(block, level);
+    if (this.#byTable) return this.#between[level] * this.#byTable.rms(block, level);
     if (block >= 0) return this.#measured.rms(block, level);
     return this.#usualRms[level] * this.#roughness(block);
   }
@@ -206,6 +255,10 @@ export class ResidentDetail implements HiddenValues, DetailField {
     if (this.#byTable) return this.#byTable.max(block, level);
     if (block >= 0) return this.#measured.max(block, level);
     return this.#usualMax[level] * this.#roughness(block);
+  }
+
+  correlation(level: number): number {
+    return this.#correlation[level];
   }
 
   low(block: number): number {

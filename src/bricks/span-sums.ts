@@ -14,6 +14,8 @@ export const sumCount = 11;
 export interface SpanSums {
   /** Adds `weight` times the means over the values between two (stored values) to 11 numbers. */
   addMeans(from: number, to: number, weight: number, into: Float64Array): void;
+  /** The mean of the opacity over the values between two. */
+  meanOpacity(from: number, to: number): number;
 }
 
 /**
@@ -41,12 +43,25 @@ export function sumSpans(
     }
   }
   const placeOf = (value: number): number => Math.min(bins, Math.max(0, (value - low) / width));
+  /** In bins: at least one, so that the difference of the sums is not lost. */
+  const spanOf = (from: number, to: number): [begin: number, end: number] => {
+    const [a, b] = [placeOf(Math.min(from, to)), placeOf(Math.max(from, to))];
+    if (b - a >= 1) return [a, b];
+    const begin = Math.min(bins - 1, Math.max(0, (a + b) / 2 - 0.5));
+    return [begin, begin + 1];
+  };
+  const opacityUpTo = (place: number): number => {
+    const bin = Math.min(bins - 1, Math.floor(place));
+    const at = bin * sumCount + 3;
+    return running[at] + (place - bin) * (running[at + sumCount] - running[at]);
+  };
   return {
+    meanOpacity: (from, to) => {
+      const [begin, end] = spanOf(from, to);
+      return (opacityUpTo(end) - opacityUpTo(begin)) / (end - begin);
+    },
     addMeans: (from, to, weight, into) => {
-      // At least one bin, so that the difference of the sums is not lost.
-      const [a, b] = [placeOf(Math.min(from, to)), placeOf(Math.max(from, to))];
-      const begin = b - a < 1 ? Math.min(bins - 1, Math.max(0, (a + b) / 2 - 0.5)) : a;
-      const end = b - a < 1 ? begin + 1 : b;
+      const [begin, end] = spanOf(from, to);
       const factor = weight / (end - begin);
       const [i, j] = [Math.min(bins - 1, Math.floor(begin)), Math.min(bins - 1, Math.floor(end))];
       const [p, q] = [begin - i, end - j];

@@ -1,4 +1,5 @@
-// `npm run accuracy -- detail`: what a picture in bricks says of the error that coarse bricks leave, against the true one, in 200 random views. In Node.
+// `npm run accuracy -- detail`: what a picture in bricks says of the error that coarse bricks leave, against the true one, in 200 random views. In Node. `TABLES=yes`:
+// only with the table of the pyramid's writer; `no`: only without.
 import { loadModule } from '../bench/load-module.mjs';
 import { printTable } from '../bench/table.mjs';
 
@@ -9,7 +10,7 @@ const seen = 0.5;
 export async function run({ quick }) {
   /** @type {typeof import('./detail-views.ts')} */
   const { measureViews } = await loadModule('test/accuracy/detail-views.ts');
-  for (const hasTable of [false, true]) {
+  for (const hasTable of (process.env.TABLES ?? 'no,yes').split(',').map((name) => name === 'yes')) {
     console.log(hasTable ? "With the table of the pyramid's writer:" : 'Without a table:');
     tabulate([...logged(measureViews(quick ? 24 : 200, hasTable))]);
   }

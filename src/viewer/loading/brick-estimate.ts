@@ -4,6 +4,7 @@ import { BrickGains, probeBricks } from '../../bricks/rank-bricks.ts';
 import { seekDetail } from '../../bricks/estimate-detail.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { ResidentDetail } from '../../bricks/resident-detail.ts';
+import { levelOfPixels } from '../../bricks/pixel-levels.ts';
 import { sumSpans } from '../../bricks/span-sums.ts';
 import type { Waiting } from '../../core/waiting.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
@@ -13,35 +14,17 @@ import type { ErrorPart } from '../../quality/error-estimate.ts';
 import { voxelsAlong } from '../../quality/steps.ts';
 import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
-import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
-import type { WorldCut } from '../../volume/world-cut.ts';
-import type { View } from '../model/scene.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
-
-/** A picture, as far as bricks depend on it. */
-export interface BrickPicture {
-  readonly view: View;
-  readonly optics: VolumeOptics;
-  /** What is cut away; undefined for nothing. */
-  readonly away?: WorldCut;
-}
-
-/** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */
-const nearly = 0.03;
-
-/** Whether two pictures of one view differ in their pixels alone. */
-export function isSameShape(one: Matrix4, other: Matrix4): boolean {
-  return one.every((x, i) => Math.abs(x - other[i]) <= nearly * Math.abs(other[i]));
-}
+import type { BrickPicture } from './brick-picture.ts';
 
 /** What was found. */
 export interface BrickEstimate {
   /** Bricks that have to be looked at before `error` can be relied on; those that follow them are not listed yet. */
   readonly probes: readonly Brick[];
   readonly gains: BrickGains;
-  /** The error that is left in the picture, over the rays that meet the volume. No bound of the largest one is known. */
+  /** The error that is left in the picture, over the rays that show something. No bound of the largest one is known. */
   readonly error: ErrorPart;
 }
 
@@ -56,7 +39,7 @@ export function* estimateBricks(
   volume: Volume,
   bricks: ResidentBricks,
   detail: ResidentDetail,
-  { view, optics, away }: BrickPicture,
+  { view, optics, away, ...picture }: BrickPicture,
 ): Waiting<BrickEstimate | null> {
   const rays = setUpRays(volume.grid, view.view, view.projection);
   if (!rays) return null;
@@ -65,6 +48,8 @@ export function* estimateBricks(
   const length = rays.diameter / steps;
   const toWorld = unitToWorld(volume.grid);
   const [transferFunction, referenceLength] = seenValues(volume, optics, rays.diameter);
+  // The largest value of a ray is not that of averages, however small it appears.
+  const pixels = optics.projection && optics.projection !== 'average' ? undefined : picture.pixels;
   const gains = new BrickGains(bricks);
   const scene = {
     field: detail,
@@ -78,9 +63,11 @@ export function* estimateBricks(
     voxels: length / finestSpacing(bricks.finest),
     hidden: detail,
     across,
+    pixels,
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
-  const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick));
+  const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
+  const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
   return { gains, probes, error: { ...(yield* seekDetail(scene, gains)), max: null } };
 }
 

@@ -1,7 +1,7 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
 import { layBricks, shapeAtlas, slotSide, slotsWithin } from '../../bricks/brick-layout.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
-import { keyOfBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
+import { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { usualGpuBytes } from '../../formats/base/brick-limits.ts';
 import type { LoadRequest } from '../../formats/base/load-request.ts';
@@ -11,23 +11,17 @@ import type { FieldModule } from '../../renderer/ray/ray-module.ts';
 import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import type { Volume, VolumeData } from '../../volume/volume.ts';
 import { inPieces } from '../../core/in-pieces.ts';
-import type { View } from '../model/scene.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
-import { estimateBricks, isSameShape } from './brick-estimate.ts';
-import type { BrickPicture } from './brick-estimate.ts';
+import { BrickChoice } from './brick-choice.ts';
 import { BrickLoading } from './brick-loading.ts';
+import { describePicture, isSamePicture } from './brick-picture.ts';
+import type { BrickPicture, KeyedPicture } from './brick-picture.ts';
 import { BrickPictures, takeTurn } from './brick-pictures.ts';
 import { BrickRoom } from './brick-room.ts';
 import type { KeptBricks } from './brick-room.ts';
 import { BrickSource } from './brick-source.ts';
 import { BrickTiles } from './brick-tiles.ts';
-
-/** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
-const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
-
-/** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
-const [mostExchanges, leastGain] = [3, 0.03];
 
 /** The room of this page: views that take turns leave and come within the grace, ms. */
 const pageRoom = new BrickRoom(3000);
@@ -53,19 +47,16 @@ export class BrickView implements ViewPart, KeptBricks {
   readonly #maxBytes: number;
   readonly #source: BrickSource;
   readonly #tiles: BrickTiles;
+  readonly #choice: BrickChoice;
   /** Textures that have the bricks. */
   #users = 0;
   #life: AbortController | null = null;
   /** MAX_3D_TEXTURE_SIZE. */
   #maxSide = Infinity;
-  #picture: (BrickPicture & { readonly key: string }) | null = null;
+  #picture: KeyedPicture | null = null;
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
-  /** How often bricks of a picture took the place of others for little, and the smallest error that there was in this room. */
-  #exchanged = { key: '', slots: 0, times: 0, error: Infinity };
-  /** Probes that could not be read. */
-  readonly #unreadable = new Set<string>();
   readonly #pictures = new BrickPictures();
   /** Whether the textures went before all bricks had come. */
   #gaveWay = false;
@@ -91,8 +82,9 @@ export class BrickView implements ViewPart, KeptBricks {
       this.#upload(gl, volume, device),
     );
     this.bricks.moving = true;
-    this.bricks.atlas = shapeAtlas(pinned.grid.dimensions, Math.ceil(this.#maxBytes / this.#bytesOfBrick));
+    this.bricks.atlas = shapeAtlas(pinned.grid.dimensions, Math.ceil(this.#maxBytes / this.bricks.bytesOfBrick));
     this.#detail = new ResidentDetail(pinned, this.bricks);
+    this.#choice = new BrickChoice(this.bricks, this.#detail);
     this.#source = new BrickSource({
       request,
       pinned: pinned.grid,
@@ -117,10 +109,6 @@ export class BrickView implements ViewPart, KeptBricks {
     };
   }
 
-  get #bytesOfBrick(): number {
-    return slotSide ** 3 * this.parts.pinned.samples.BYTES_PER_ELEMENT;
-  }
-
   /** Slots that the share of this view, and its device, have room for. */
   get #capacity(): number {
     const { atlas, layout, maxSlots } = this.bricks;
@@ -132,17 +120,15 @@ export class BrickView implements ViewPart, KeptBricks {
   // What the socket calls.
 
   /** A picture has been drawn. */
-  place({ view, projection }: View): void {
-    const { look, settings, viewer } = this.parts.view;
-    const optics = look.current;
-    if (this.#users === 0 || !optics || viewer?.volume !== this.volume) return;
-    const { away } = viewer.shown.cuts;
-    const key = JSON.stringify([view, optics, away, settings.quality.value?.maxError]);
-    // A moving picture has fewer pixels, and so not quite the same shape.
-    if (key === this.#picture?.key && isSameShape(projection, this.#picture.view.projection)) return;
+  place(shown: BrickPicture['view']): void {
+    const { view } = this.parts;
+    const { look, viewer } = view;
+    if (this.#users === 0 || !look.current || viewer?.volume !== this.volume) return;
+    const picture = describePicture(view, shown, { optics: look.current, away: viewer.shown.cuts.away });
+    if (this.#picture && isSamePicture(picture, this.#picture)) return;
     // Views without a picture had theirs before.
-    if (!this.#picture && this.#gaveWay) takeTurn(this.parts.view, this.#life!.signal, this.#whenSettled!);
-    this.#picture = { key, view: { view, projection }, optics, away };
+    if (!this.#picture && this.#gaveWay) takeTurn(view, this.#life!.signal, this.#whenSettled!);
+    this.#picture = picture;
     this.#begin();
   }
 
@@ -154,7 +140,7 @@ export class BrickView implements ViewPart, KeptBricks {
   // What the room calls.
 
   get keptBytes(): number {
-    return this.#users > 0 ? 0 : this.bricks.count * this.#bytesOfBrick;
+    return this.#users > 0 ? 0 : this.bricks.count * this.bricks.bytesOfBrick;
   }
 
   dropKept(): void {
@@ -279,7 +265,7 @@ export class BrickView implements ViewPart, KeptBricks {
 
   #createLoading(life: AbortSignal): BrickLoading {
     const { bricks } = this;
-    const bytesOfBrick = this.#bytesOfBrick;
+    const { bytesOfBrick } = bricks;
     const capacity = (): number => this.#capacity;
     return new BrickLoading({
       bricks,
@@ -320,7 +306,6 @@ export class BrickView implements ViewPart, KeptBricks {
   async #load(life: AbortSignal): Promise<void> {
     const { bricks } = this;
     const loading = this.#loading!;
-    const bytes = this.#bytesOfBrick;
     let isAsking = true;
     void this.#readTable(life).finally(() => {
       isAsking = false;
@@ -331,27 +316,22 @@ export class BrickView implements ViewPart, KeptBricks {
       const picture = this.#picture;
       const changes = this.#changes;
       let isExchange = false;
-      const work = picture && estimateBricks(this.volume, bricks, this.#detail, picture);
+      const work = picture && this.#choice.estimate(this.volume, picture);
       const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
       if (found) {
-        const { key } = picture;
-        const slots = this.#capacity;
-        if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
-          this.#exchanged = { key, slots, times: 0, error: Infinity };
-        const isFull = bricks.count >= slots;
-        const isBetter = found.error.rms < (1 - leastGain) * this.#exchanged.error;
-        if (isBetter) this.#exchanged.error = found.error.rms;
-        isExchange = isFull && !isBetter;
-        const maxError = this.parts.view.settings.quality.value?.maxError ?? 1;
         bricks.error = found.error;
-        const isEnough = found.error.rms <= maxError || (isFull && this.#exchanged.times >= mostExchanges);
-        const probes = found.probes.filter((brick) => !this.#unreadable.has(keyOfBrick(brick)));
-        const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * bricks.count)));
-        const best = isEnough ? [] : found.gains.rank(count, bytes, (brick) => loading.isRefused(brick));
-        loading.want({ missing: best, worth: (brick) => found.gains.worth(brick) / bytes });
-        if (probes.length > 0) {
-          await Promise.all(probes.map((brick) => this.#probe(brick, life)));
+        const chosen = this.#choice.choose(found, {
+          key: picture.key,
+          maxError: this.parts.view.settings.quality.value?.maxError ?? 1,
+          slots: this.#capacity,
+          isAsking,
+          isRefused: (brick) => loading.isRefused(brick),
+        });
+        ({ isExchange } = chosen);
+        loading.want({ missing: chosen.missing, worth: (brick) => found.gains.worth(brick) / bricks.bytesOfBrick });
+        if (chosen.probes.length > 0) {
+          await Promise.all(chosen.probes.map((brick) => this.#probe(brick, life)));
           continue;
         }
         this.#detail.forgetProbes();
@@ -366,7 +346,7 @@ export class BrickView implements ViewPart, KeptBricks {
           (this.#changes !== changes || (this.bricks.moving && !isAsking)) &&
           this.#picture !== null);
       while (!isDue()) await new Promise<void>((resolve) => (this.#wake = resolve));
-      if (isExchange && !life.aborted) this.#exchanged.times++;
+      if (isExchange && !life.aborted) this.#choice.hasExchanged();
     }
   }
 
@@ -377,7 +357,7 @@ export class BrickView implements ViewPart, KeptBricks {
       this.#detail.measure(brick, samples, true);
     } catch (error) {
       if (life.aborted) return;
-      this.#unreadable.add(keyOfBrick(brick));
+      this.#choice.leaveOut(brick);
       this.#reportOnce(error);
     }
   }

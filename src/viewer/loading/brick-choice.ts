@@ -1,0 +1,103 @@
+import type { RankedBrick } from '../../bricks/choose-bricks.ts';
+import type { Brick } from '../../bricks/pyramid.ts';
+import type { BrickGains } from '../../bricks/rank-bricks.ts';
+import { keyOfBrick } from '../../bricks/resident-bricks.ts';
+import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
+import type { ResidentDetail } from '../../bricks/resident-detail.ts';
+import type { Waiting } from '../../core/waiting.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { estimateBricks } from './brick-estimate.ts';
+import type { BrickEstimate } from './brick-estimate.ts';
+import type { BrickPicture } from './brick-picture.ts';
+
+/** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
+const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
+
+/** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
+const [mostExchanges, leastGain] = [3, 0.03];
+
+/** Bricks that are looked at before the estimate is relied on. */
+const mostDoubts = 6;
+
+/** What a picture asks for. */
+export interface PictureWish {
+  /** Another one is another picture. */
+  readonly key: string;
+  readonly maxError: number;
+  /** Bricks that there is room for. */
+  readonly slots: number;
+  /** Whether the writer of the pyramid may still say what it hides. */
+  readonly isAsking: boolean;
+  /** Bricks that could not be read. */
+  isRefused(brick: Brick): boolean;
+}
+
+export interface ChosenBricks {
+  /** Bricks to look at, after which the estimate is made again. */
+  readonly probes: readonly Brick[];
+  /** Bricks to ask for, by falling gain a byte; none where the picture has enough. */
+  readonly missing: readonly RankedBrick[];
+  /** Whether they only take the place of others, for little. */
+  readonly isExchange: boolean;
+}
+
+/** Which bricks a view asks for next, and when it has enough. */
+export class BrickChoice {
+  /** How often bricks of a picture took the place of others for little, and the smallest error that there was in this room. */
+  #exchanged = { key: '', slots: 0, times: 0, error: Infinity };
+  /** The picture for which what was in doubt has been looked at. */
+  #sureOf = '';
+  readonly #unreadable = new Set<string>();
+
+  constructor(
+    readonly bricks: ResidentBricks,
+    readonly detail: ResidentDetail,
+  ) {}
+
+  /** What bricks would bring to a picture, with pauses. @returns null where no ray can be cast */
+  estimate(volume: Volume, picture: BrickPicture): Waiting<BrickEstimate | null> {
+    return estimateBricks(volume, this.bricks, this.detail, picture);
+  }
+
+  choose({ error: { rms }, gains, probes }: BrickEstimate, wish: PictureWish): ChosenBricks {
+    const { key, maxError, slots, isAsking } = wish;
+    if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
+      this.#exchanged = { key, slots, times: 0, error: Infinity };
+    const isFull = this.bricks.count >= slots;
+    const isBetter = rms < (1 - leastGain) * this.#exchanged.error;
+    if (isBetter) this.#exchanged.error = rms;
+    const isEnough = rms <= maxError || (isFull && this.#exchanged.times >= mostExchanges);
+    const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * this.bricks.count)));
+    const doubts = this.#doubt(gains, isEnough && !isAsking ? key : '');
+    return {
+      probes: [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
+      missing: isEnough ? [] : gains.rank(count, this.bricks.bytesOfBrick, (brick) => wish.isRefused(brick)),
+      isExchange: isFull && !isBetter,
+    };
+  }
+
+  /** What was chosen has come, and took the place of others. */
+  hasExchanged(): void {
+    this.#exchanged.times++;
+  }
+
+  /** A probe could not be read. */
+  leaveOut(brick: Brick): void {
+    this.#unreadable.add(keyOfBrick(brick));
+  }
+
+  /**
+   * Before a picture is called final, bricks are looked at of which most is expected and nothing known.
+   * @param key - of the picture; empty while more bricks come
+   */
+  #doubt(gains: BrickGains, key: string): Brick[] {
+    const isSure = key === '' || key === this.#sureOf;
+    this.#sureOf = key;
+    if (isSure) return [];
+    return gains.rankFinest(mostDoubts, (brick) => this.#isUnreadable(brick) || this.detail.isMeasured(brick));
+  }
+
+  #isUnreadable(brick: Brick): boolean {
+    return this.#unreadable.has(keyOfBrick(brick));
+  }
+}

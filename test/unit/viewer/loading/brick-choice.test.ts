@@ -1,0 +1,78 @@
+// Which bricks a view asks for next, and when it has enough.
+import { expect } from '@esm-bundle/chai';
+import type { Brick } from '../../../../src/bricks/pyramid.ts';
+import { BrickGains } from '../../../../src/bricks/rank-bricks.ts';
+import { keyOfBrick } from '../../../../src/bricks/resident-bricks.ts';
+import { ResidentDetail } from '../../../../src/bricks/resident-detail.ts';
+import { BrickChoice } from '../../../../src/viewer/loading/brick-choice.ts';
+import type { ChosenBricks, PictureWish } from '../../../../src/viewer/loading/brick-choice.ts';
+import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
+import { syntheticVolume } from '../../../helpers/synthetic.ts';
+
+/** Bricks of 64 and 32 voxels over a volume of 32 voxels along each axis; none is there. */
+function makeChoice() {
+  const whole = syntheticVolume({ dimensions: [128, 128, 128], field: (x) => x });
+  const { volume, pyramid } = cutIntoBricks(whole, 3, () => false);
+  const bricks = volume.finer;
+  const detail = new ResidentDetail(bricks.volume, bricks);
+  const choice = new BrickChoice(bricks, detail);
+  const wish: PictureWish = { key: 'a', maxError: 2, slots: 100, isAsking: false, isRefused: () => false };
+  /** Cells 0 to 19 bring something, the first most. */
+  const choose = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = []): ChosenBricks => {
+    const gains = new BrickGains(bricks);
+    for (let cell = 0; cell < 20; cell++) gains.gain(cell, 0, 100 - cell);
+    return choice.choose({ probes, gains, error: { rms, p99: rms, max: null } }, { ...wish, ...more });
+  };
+  const look = (brick: Brick): void => detail.measure(brick, readBrick(pyramid, brick), true);
+  return { bricks, choice, choose, look, add: (brick: Brick) => bricks.add(brick, readBrick(pyramid, brick)) };
+}
+
+const keysOf = (bricks: readonly Brick[]): string[] => bricks.map(keyOfBrick);
+
+describe('What a view in bricks asks for next', () => {
+  it('is what brings most, until the error is small enough; then what is in doubt is looked at, once', () => {
+    const { choose, look } = makeChoice();
+    const first = choose(5);
+    expect(first.probes).to.deep.equal([]);
+    expect(keysOf(first.missing.map(({ brick }) => brick)).slice(0, 3)).to.deep.equal([
+      '0/0/0/0',
+      '0/1/0/0',
+      '0/2/0/0',
+    ]);
+    const enough = choose(1.9);
+    expect(enough.missing).to.deep.equal([]);
+    expect(keysOf(enough.probes)).to.deep.equal(['0/0/0/0', '0/1/0/0', '0/2/0/0', '0/3/0/0', '0/0/1/0', '0/1/1/0']);
+    for (const brick of enough.probes) look(brick);
+    expect(choose(1.9).probes).to.deep.equal([]);
+    // More was needed after all: then others are looked at.
+    expect(choose(2.5).missing).to.have.length.above(0);
+    expect(keysOf(choose(1.9).probes)[0]).to.equal('0/2/1/0');
+    expect(choose(1.9, { key: 'b' }).probes).to.have.lengthOf(6);
+  });
+
+  it('waits for what the writer of the pyramid says, and leaves out what can not be read', () => {
+    const { choice, choose } = makeChoice();
+    expect(choose(1, { isAsking: true }).probes).to.deep.equal([]);
+    choice.leaveOut({ level: 0, at: [1, 0, 0] });
+    const { probes } = choose(1, {}, [{ level: 0, at: [1, 0, 0] }]);
+    expect(keysOf(probes)).to.include('0/0/0/0').and.not.include('0/1/0/0');
+    const { missing } = choose(5, { isRefused: ({ at }) => at[0] === 0 });
+    expect(missing.every(({ brick }) => brick.at[0] > 0)).to.equal(true);
+  });
+
+  it('ends in a full room once exchanges bring little, until the room is another one', () => {
+    const { choice, choose, add } = makeChoice();
+    add({ level: 0, at: [0, 0, 0] });
+    add({ level: 0, at: [1, 0, 0] });
+    const full = { slots: 2 };
+    expect([choose(9, full).isExchange, choose(6, full).isExchange]).to.deep.equal([false, false]);
+    for (let n = 0; n < 3; n++) {
+      const { isExchange, missing } = choose(5.9, full);
+      expect([isExchange, missing.length > 0]).to.deep.equal([true, true]);
+      choice.hasExchanged();
+    }
+    expect(choose(5.9, full).missing).to.deep.equal([]);
+    expect(choose(5.9, { slots: 1 }).missing).to.have.length.above(0);
+    expect(choose(5.9, { ...full, key: 'b' }).missing).to.have.length.above(0);
+  });
+});
