@@ -1,9 +1,9 @@
 // `npm run bench -- soak` (`SECONDS=60`): a view in bricks that is turned and zoomed, in and out, for a minute, over a network of 10 MB/s with 300 ms before each
-// answer, of which a tenth fails: errors, bytes on the GPU, memory, and requests that are alive once the element has left the page. Any of these fails it.
+// answer, of which a tenth fails: errors, bytes on the GPU, memory, and requests that are alive once the element has left the page, which fail it. No program
+// follows the browser meanwhile: see browser-alone.mjs.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
-import { readHeap } from './read-heap.mjs';
+import { openAlone } from './browser-alone.mjs';
 import { formatMegabytes, printTable } from './table.mjs';
-import { watchMemory } from './watch-memory.mjs';
 
 const seconds = Number(process.env.SECONDS ?? 60);
 const limit = 48e6;
@@ -60,36 +60,82 @@ async function end() {
   return { alive: stone.counts.alive, later: stone.counts.asked - asked };
 }
 
-export async function run() {
-  await measurePackage(async ({ browser, url, openPage, machine }) => {
-    const page = await openPage('test/bench/empty.html');
-    const memory = await watchMemory(browser);
-    await page.evaluate(begin, { base: url, limit });
-    const rows = [];
-    let found;
-    for (let from = 0; from < seconds; from += 20) {
-      found = await page.evaluate(move, /** @type {[number, number]} */ ([from, Math.min(seconds, from + 20)]));
-      rows.push({
-        'after, s': Math.min(seconds, from + 20),
-        frames: found.frames,
-        requests: found.asked,
-        failed: found.failed,
-        'at once': found.most,
-        'read, MB': formatMegabytes(found.bytes),
-        bricks: found.bricks,
-        'most on the GPU, MB': formatMegabytes(found.gpu),
-        errors: found.errors.length,
-        'heap, MB': formatMegabytes(await readHeap(page)),
-        'processes, MB': formatMegabytes(memory.now() ?? 0),
-      });
-      console.error(JSON.stringify(rows.at(-1)));
+/** In the page: all of it, with a report each 20 s. @param {{ base: string, limit: number, seconds: number }} asked */
+async function soakAll({ base, limit: bytes, seconds: length }) {
+  const reports = location.search.slice(1);
+  /** @param {object} what */
+  const report = (what) => fetch(reports, { method: 'POST', body: JSON.stringify(what) });
+  try {
+    await begin({ base, limit: bytes });
+    for (let from = 0; from < length; from += 20) {
+      const to = Math.min(length, from + 20);
+      const found = await move([from, to]);
+      /** @type {any} */ (globalThis).gc();
+      await report({ after: to, ...found, heap: /** @type {any} */ (performance).memory.usedJSHeapSize });
     }
-    memory.stop();
-    const left = await page.evaluate(end);
-    printTable(`A stone of 2,048 voxels, turned and zoomed (${nameMachine(machine)})`, rows);
-    console.log(
-      `after it left the page: ${left.alive} requests alive, ${left.later} new ones; errors: ${found?.errors.slice(0, 2).join('; ')}`,
-    );
-    if (left.alive > 0 || left.later > 0) throw new Error('the element asks for chunks after it has left the page');
+    await report({ left: await end() });
+    await report({ isOver: true });
+  } catch (error) {
+    await report({ thrown: String(error) });
+  }
+}
+
+const pagePath = 'test/bench/soak.html';
+
+export async function run() {
+  const functions = [begin, move, end, soakAll].map(String).join('\n');
+  let base = '';
+  const page = () =>
+    `<!doctype html><body><script type="module">${functions}\nsoakAll(${JSON.stringify({ base, limit, seconds })})</script>`;
+  await measurePackage(
+    async ({ url, machine, browser }) => {
+      base = url;
+      await browser.close();
+      await measure(url, machine);
+    },
+    { [`/${pagePath}`]: () => Buffer.from(page()) },
+  );
+}
+
+/** @param {string} url @param {import('../helpers/measure-in-browser.mjs').Machine} machine */
+async function measure(url, machine) {
+  /** @type {Record<string, string | number>[]} */
+  const rows = [];
+  /** @type {string[]} */
+  let errors = [];
+  let left = { alive: NaN, later: NaN };
+  /** @type {import('./browser-alone.mjs').Alone | null} */
+  let alone = null;
+  /** @param {any} said */
+  const take = (said) => {
+    if (said.left) {
+      ({ left } = said);
+      return;
+    }
+    ({ errors } = said);
+    rows.push({
+      'after, s': said.after,
+      frames: said.frames,
+      requests: said.asked,
+      failed: said.failed,
+      'at once': said.most,
+      'read, MB': formatMegabytes(said.bytes),
+      bricks: said.bricks,
+      'most on the GPU, MB': formatMegabytes(said.gpu),
+      errors: errors.length,
+      'heap, MB': formatMegabytes(said.heap),
+      'processes, MB': formatMegabytes(alone?.readMemory() ?? 0),
+    });
+    console.error(JSON.stringify(rows.at(-1)));
+  };
+  await openAlone(`${url}${pagePath}`, { take }, async (opened) => {
+    alone = opened;
+    await opened.ended;
   });
+  printTable(`A stone of 2,048 voxels, turned and zoomed (${nameMachine(machine)})`, rows);
+  console.log(
+    `after it left the page: ${left.alive} requests alive, ${left.later} new ones; errors: ${errors.slice(0, 2).join('; ')}`,
+  );
+  if (left.alive !== 0 || left.later !== 0)
+    throw new Error('the element asks for chunks after it has left the page, or it was not counted');
 }
