@@ -72,15 +72,16 @@ export function estimateDetail(scene: DetailScene, cells: number): DetailEstimat
 /**
  * The same, with a pause after each row of rays.
  * @returns the differences over the rays that show something, in 1/255: their root mean square, and what 99 % of the rays stay below. A ray that shows nothing yet
- * counts by the opacity that is expected of it: empty pixels next to a thing would dilute what is wrong with it.
+ * counts by the opacity that is expected of it: empty pixels next to a thing would dilute what is wrong with it. And the finest level that counts anywhere, 0 where nothing shows.
  */
 export function* seekDetail(
   scene: DetailScene,
   listener: DetailListener,
-): Waiting<{ readonly rms: number; readonly p99: number }> {
+): Waiting<{ readonly rms: number; readonly p99: number; readonly finest: number }> {
   const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
   const tracer = traceRays(scene, listener.loss !== undefined);
   const found: { readonly energy: number; readonly cover: number }[] = [];
+  let finest = field.levels;
   for (let row = 0; row < across; row++) {
     for (let column = 0; column < across; column++) {
       const ray = rayThrough(rays, ((column + shift[0]) / across) * 2 - 1, 1 - ((row + shift[1]) / across) * 2);
@@ -89,6 +90,7 @@ export function* seekDetail(
       if (!(exit > entry)) continue;
       const seen = tracer(ray, entry, exit, step / ray.lengthPerT);
       if (!seen) continue;
+      finest = Math.min(finest, ...seen.finest);
       found.push({ energy: addGains(seen, field.levels, listener), cover: seen.cover });
     }
     yield;
@@ -100,7 +102,11 @@ export function* seekDetail(
   const p99 = found.find(({ cover }) => (above += cover) > 0.01 * covered)?.energy ?? 0;
   const inBytes = (energy: number): number => Math.min(255, 255 * Math.sqrt(energy));
   // All of a ray's difference may be in one channel.
-  return { rms: covered > 0 ? inBytes(sum / (4 * covered)) : 0, p99: inBytes(p99) };
+  return {
+    rms: covered > 0 ? inBytes(sum / (4 * covered)) : 0,
+    p99: inBytes(p99),
+    finest: found.length > 0 ? finest : 0,
+  };
 }
 
 /** What one ray says: for each cell that it meets, and each level up to its present one, its bias and its variance. */

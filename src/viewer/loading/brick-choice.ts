@@ -16,6 +16,9 @@ const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
 /** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
 const [mostExchanges, leastGain] = [3, 0.03];
 
+/** Bricks that are so many levels finer than what counts may stay: a view that turns may need them again. */
+const levelsToSpare = 1;
+
 /** Bricks that are looked at before the estimate is relied on. */
 const mostDoubts = 6;
 
@@ -37,6 +40,8 @@ export interface ChosenBricks {
   readonly probes: readonly Brick[];
   /** Bricks to ask for, by falling gain a byte; none where the picture has enough. */
   readonly missing: readonly RankedBrick[];
+  /** Bricks that are there and much finer than anything in the picture: rays would take their steps everywhere. */
+  readonly tooFine: readonly Brick[];
   /** Whether they only take the place of others, for little. */
   readonly isExchange: boolean;
 }
@@ -59,7 +64,7 @@ export class BrickChoice {
     return estimateBricks(volume, this.bricks, this.detail, picture);
   }
 
-  choose({ error: { rms }, gains, probes }: BrickEstimate, wish: PictureWish): ChosenBricks {
+  choose({ error: { rms }, gains, probes, finest }: BrickEstimate, wish: PictureWish): ChosenBricks {
     const { key, maxError, slots, isAsking } = wish;
     if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
       this.#exchanged = { key, slots, times: 0, error: Infinity };
@@ -72,6 +77,7 @@ export class BrickChoice {
     return {
       probes: [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
       missing: isEnough ? [] : gains.rank(count, this.bricks.bytesOfBrick, (brick) => wish.isRefused(brick)),
+      tooFine: [...this.bricks.bricks].filter(({ level }) => level < finest - levelsToSpare),
       isExchange: isFull && !isBetter,
     };
   }

@@ -24,6 +24,8 @@ export interface BrickEstimate {
   /** Bricks that have to be looked at before `error` can be relied on; those that follow them are not listed yet. */
   readonly probes: readonly Brick[];
   readonly gains: BrickGains;
+  /** The finest level that the pixels of the picture need anywhere; 0 where it shows nothing. */
+  readonly finest: number;
   /** The error that is left in the picture, over the rays that show something. No bound of the largest one is known. */
   readonly error: ErrorPart;
 }
@@ -68,7 +70,8 @@ export function* estimateBricks(
   };
   const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
-  return { gains, probes, error: { ...(yield* seekDetail(scene, gains)), max: null } };
+  const { rms, p99, finest } = yield* seekDetail(scene, gains);
+  return { gains, probes, finest, error: { rms, p99, max: null } };
 }
 
 /** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */

@@ -88,6 +88,12 @@ export class BrickLoading {
     this.#send();
   }
 
+  /** The picture shows these no longer. */
+  drop(tooFine: readonly Brick[]): void {
+    for (const brick of tooFine) this.parts.bricks.remove(brick);
+    if (tooFine.length > 0) this.parts.changed();
+  }
+
   /** Ends all requests. The bricks that are there stay, and no longer count. */
   close(): void {
     if (this.#isClosed) return;

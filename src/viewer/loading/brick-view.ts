@@ -329,6 +329,7 @@ export class BrickView implements ViewPart, KeptBricks {
           isRefused: (brick) => loading.isRefused(brick),
         });
         ({ isExchange } = chosen);
+        loading.drop(chosen.tooFine);
         loading.want({ missing: chosen.missing, worth: (brick) => found.gains.worth(brick) / bricks.bytesOfBrick });
         if (chosen.probes.length > 0) {
           await Promise.all(chosen.probes.map((brick) => this.#probe(brick, life)));

@@ -235,13 +235,13 @@ describe('a pyramid in bricks on a page', () => {
     expect(log.alive).to.equal(0);
   });
 
-  it('asks for nothing that is finer than half a pixel, and for that as soon as the view is larger', async function () {
+  it('asks for nothing that is finer than half a pixel, asks for it as soon as the view is larger, and lets go of it again', async function () {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [128, 128, 128], levels: 3 });
     const view = addView(fetch, {
       'transfer-function': look['transfer-function'],
       'camera-orbit': '30deg 65deg 300',
-      'max-gpu-bytes': '1900000',
+      'max-gpu-bytes': '1e6',
       'max-error': '0.05',
     });
     view.style.cssText = 'display: block; width: 32px; height: 24px';
@@ -251,11 +251,18 @@ describe('a pyramid in bricks on a page', () => {
     expect([log.byLevel[0] ?? 0, log.byLevel[1] > 0]).to.deep.equal([0, true]);
     const { steps } = view.renderStats!;
     view.style.cssText = 'display: block; width: 160px; height: 120px';
-    const end = performance.now() + 60_000;
+    const end = performance.now() + 75_000;
     while (!(log.byLevel[0] > 0) && performance.now() < end) await new Promise((resolve) => setTimeout(resolve, 50));
     await view.whenRendered();
     expect(log.byLevel[0]).to.be.above(0);
     expect(view.renderStats!.steps).to.be.above(1.5 * steps);
+    // The next coarser level stays: it has eight bricks.
+    expect(view.renderStats!.bricks!.count).to.be.above(8);
+    view.style.cssText = 'display: block; width: 8px; height: 6px';
+    while (view.renderStats!.bricks!.count > 8 && performance.now() < end)
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    await view.whenRendered();
+    expect(view.renderStats!.bricks!.count).to.be.within(1, 8);
     view.remove();
   });
 

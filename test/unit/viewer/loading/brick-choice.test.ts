@@ -18,10 +18,10 @@ function makeChoice() {
   const choice = new BrickChoice(bricks, detail);
   const wish: PictureWish = { key: 'a', maxError: 2, slots: 100, isAsking: false, isRefused: () => false };
   /** Cells 0 to 19 bring something, the first most. */
-  const choose = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = []): ChosenBricks => {
+  const choose = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = [], finest = 0): ChosenBricks => {
     const gains = new BrickGains(bricks);
     for (let cell = 0; cell < 20; cell++) gains.gain(cell, 0, 100 - cell);
-    return choice.choose({ probes, gains, error: { rms, p99: rms, max: null } }, { ...wish, ...more });
+    return choice.choose({ probes, gains, finest, error: { rms, p99: rms, max: null } }, { ...wish, ...more });
   };
   const look = (brick: Brick): void => detail.measure(brick, readBrick(pyramid, brick), true);
   return { bricks, choice, choose, look, add: (brick: Brick) => bricks.add(brick, readBrick(pyramid, brick)) };
@@ -58,6 +58,14 @@ describe('What a view in bricks asks for next', () => {
     expect(keysOf(probes)).to.include('0/0/0/0').and.not.include('0/1/0/0');
     const { missing } = choose(5, { isRefused: ({ at }) => at[0] === 0 });
     expect(missing.every(({ brick }) => brick.at[0] > 0)).to.equal(true);
+  });
+
+  it('lets go of bricks that are two levels finer than anything in the picture, as where it moved away', () => {
+    const { choose, add } = makeChoice();
+    add({ level: 0, at: [0, 0, 0] });
+    add({ level: 1, at: [1, 1, 1] });
+    const tooFine = [0, 1, 2, 3].map((finest) => keysOf(choose(1, {}, [], finest).tooFine));
+    expect(tooFine).to.deep.equal([[], [], ['0/0/0/0'], ['0/0/0/0', '1/1/1/1']]);
   });
 
   it('ends in a full room once exchanges bring little, until the room is another one', () => {
