@@ -4,6 +4,7 @@ import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickLevel } from './brick-data.ts';
+import type { Brick } from './pyramid.ts';
 
 /** Voxels of the neighbours at each side of a brick, so that values can be interpolated up to its faces. */
 export const brickHalo = 1;
@@ -157,6 +158,12 @@ export function placeOfCell({ cells: [cx, cy] }: BrickLayout, cell: number): Vec
 /** The brick of a level that has a cell. @param cell - its number along each axis */
 export function brickOfCell({ factors, bricks }: LevelFrame, cell: Vector3): Vector3 {
   return cell.map((n, axis) => Math.min(bricks[axis] - 1, Math.floor(n / factors[axis]))) as unknown as Vector3;
+}
+
+/** The brick of a coarser level, or of the same one, that covers a brick. */
+export function brickAround({ levels }: BrickLayout, { level, at }: Brick, coarser: number): Brick {
+  const cell = at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
+  return { level: coarser, at: brickOfCell(levels[coarser], cell) };
 }
 
 /** The number of a brick in its level, i fastest. */

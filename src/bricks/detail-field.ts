@@ -1,11 +1,7 @@
-import type { Vector3 } from '../volume/matrix.ts';
-
 /** The levels of a pyramid that are resident, cell by cell. A cell is a brick of the finest level. */
 export interface DetailField {
   /** The number of levels, with the coarsest one, which is resident everywhere. */
   readonly levels: number;
-  /** Voxels of each level along each axis of the unit cube; needed where the pixels of the picture count. */
-  readonly voxels?: readonly Vector3[];
   /** The stored value at a place of the unit cube, at the level that its cell has; NaN for no data. */
   valueAt(x: number, y: number, z: number): number;
   cellAt(x: number, y: number, z: number): number;

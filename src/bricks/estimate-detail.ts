@@ -4,7 +4,6 @@ import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
 import type { DetailField } from './detail-field.ts';
 import type { HiddenValues } from './hidden-values.ts';
-import { levelOfPixels } from './pixel-levels.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
 import { atOnce } from '../core/waiting.ts';
@@ -23,8 +22,8 @@ export interface DetailScene {
   readonly hidden: HiddenValues;
   /** Rays across and down. */
   readonly across: number;
-  /** Of the picture, across and down: what is finer than half a pixel is neither missing nor asked for. Undefined: all is. */
-  readonly pixels?: readonly [number, number];
+  /** The finest level that counts, by a ray's parameter, see `levelOfPixels`: what is finer is neither missing nor asked for. Undefined: all counts. */
+  readonly finestAt?: (t: number) => number;
   /** Whether a place of the unit cube is cut away; nothing is if undefined. */
   readonly isAway?: (x: number, y: number, z: number) => boolean;
   /** Shifts rays within their pixels, 0..1. */
@@ -179,11 +178,10 @@ const maxSteps = 8192;
  * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
 function traceRays(
-  { field, sums, rays, hidden, isAway, pixels, voxels = 1 }: DetailScene,
+  { field, sums, hidden, isAway, finestAt = () => 0, voxels = 1 }: DetailScene,
   isLossAsked: boolean,
 ): Tracer {
   const { levels } = field;
-  const finestAt = pixels && field.voxels ? levelOfPixels(rays, pixels, field.voxels) : () => 0;
   const levelWithout = (cell: number, level: number): number =>
     isLossAsked ? (field.levelWithout?.(cell) ?? Math.min(levels - 1, level + 1)) : level;
   const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];

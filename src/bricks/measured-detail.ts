@@ -1,4 +1,4 @@
-import { brickOfCell, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
+import { brickAround, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 
@@ -63,7 +63,7 @@ export class MeasuredDetail {
       const { level } = measured.brick;
       let [last, end] = [measured, level + measured.octaves];
       for (let octave = level; octave < levels - 1; octave++) {
-        const around = octave < end ? undefined : this.#around(measured.brick, octave);
+        const around = octave < end ? undefined : this.of(brickAround(this.layout, measured.brick, octave));
         if (around) [last, end] = [around, octave + around.octaves];
         rms[octave] = octave < end ? last.rms : rms[octave - 1] / growth[octave - 1];
         peak[octave] = last.rms > 0 ? last.max / last.rms : 0;
@@ -94,12 +94,6 @@ export class MeasuredDetail {
 
   max(block: number, level: number): number {
     return this.#max[block * this.#levels + level];
-  }
-
-  #around({ level, at }: Brick, octave: number): MeasuredBrickDetail | undefined {
-    const { levels } = this.layout;
-    const cell = at.map((n, axis) => n * levels[level].factors[axis]) as [number, number, number];
-    return this.of({ level: octave, at: brickOfCell(levels[octave], cell) });
   }
 
   #place(): void {

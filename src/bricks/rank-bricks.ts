@@ -1,6 +1,6 @@
 import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
-import { brickOfCell, cellOfPlace, numberOfBrick, placeOfCell } from './brick-layout.ts';
+import { brickAround, brickOfCell, cellOfPlace, numberOfBrick, placeOfCell } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { RankedBrick } from './choose-bricks.ts';
 import type { DetailListener } from './estimate-detail.ts';
@@ -128,14 +128,11 @@ export function probeBricks(
 
 /** A brick, and the coarser ones that cover it. */
 function bricksAround(layout: BrickLayout, brick: Brick): string[] {
-  const cell = firstCell(layout, brick);
-  return layout.levels
-    .slice(brick.level)
-    .map((frame, n) => `${brick.level + n}/${numberOfBrick(layout, brick.level + n, brickOfCell(frame, cell))}`);
+  return layout.levels.slice(brick.level).map((_, n) => {
+    const { level, at } = brickAround(layout, brick, brick.level + n);
+    return `${level}/${numberOfBrick(layout, level, at)}`;
+  });
 }
-
-const firstCell = ({ levels }: BrickLayout, { level, at }: Brick): Vector3 =>
-  at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
 
 function placeOf({ levels }: BrickLayout, level: number, number: number): Vector3 {
   const [nx, ny] = levels[level].bricks;

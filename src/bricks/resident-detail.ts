@@ -6,7 +6,7 @@ import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo, brickOfCell, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickAround, brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
@@ -53,6 +53,7 @@ const leastPeak = 2;
  */
 export class ResidentDetail implements HiddenValues, DetailField {
   readonly levels: number;
+  /** Voxels of each level along each axis of the unit cube, finest first. */
   readonly voxels: readonly Vector3[];
   readonly #measured: MeasuredDetail;
   readonly #probes = new Map<string, Probe>();
@@ -178,11 +179,10 @@ export class ResidentDetail implements HiddenValues, DetailField {
   }
 
   /** The next coarser probe that covers a brick. */
-  #probeAround({ level, at }: Brick): Probe | null {
-    const { levels } = this.bricks.layout;
-    const cell = at.map((n, axis) => n * levels[level].factors[axis]) as unknown as Vector3;
-    for (let coarser = level + 1; coarser < levels.length; coarser++) {
-      const found = this.#probes.get(keyOfBrick({ level: coarser, at: brickOfCell(levels[coarser], cell) }));
+  #probeAround(brick: Brick): Probe | null {
+    const { layout } = this.bricks;
+    for (let coarser = brick.level + 1; coarser < layout.levels.length; coarser++) {
+      const found = this.#probes.get(keyOfBrick(brickAround(layout, brick, coarser)));
       if (found) return found;
     }
     return null;

@@ -470,7 +470,7 @@ const placeless: Readonly<Record<string, string>> = {
   'src/viewer/camera/right-button.ts':
     'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
   'src/viewer/scenes/visibility.ts': 'whether the mouse is over an element',
-  'src/viewer/loading/brick-pictures.ts': 'whether a press is in another view',
+  'src/viewer/loading/brick-drawing.ts': 'whether a press is in another view',
   'src/viewer/view/auto-rotation.ts': 'whether a hand is on the picture',
   'components/volume-view/orientation-marker.ts': 'buttons',
   'components/volume-view/view-controls.ts': 'whether a press is beside a list',

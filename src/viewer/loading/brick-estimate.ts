@@ -52,6 +52,7 @@ export function* estimateBricks(
   const [transferFunction, referenceLength] = seenValues(volume, optics, rays.diameter);
   // The largest value of a ray is not that of averages, however small it appears.
   const pixels = optics.projection && optics.projection !== 'average' ? undefined : picture.pixels;
+  const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
   const gains = new BrickGains(bricks);
   const scene = {
     field: detail,
@@ -65,10 +66,9 @@ export function* estimateBricks(
     voxels: length / finestSpacing(bricks.finest),
     hidden: detail,
     across,
-    pixels,
+    finestAt,
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
-  const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
   const { rms, p99, finest } = yield* seekDetail(scene, gains);
   return { gains, probes, finest, error: { rms, p99, max: null } };

@@ -17,7 +17,7 @@ import { BrickChoice } from './brick-choice.ts';
 import { BrickLoading } from './brick-loading.ts';
 import { describePicture, isSamePicture } from './brick-picture.ts';
 import type { BrickPicture, KeyedPicture } from './brick-picture.ts';
-import { BrickPictures, takeTurn } from './brick-pictures.ts';
+import { BrickDrawing, takeTurn } from './brick-drawing.ts';
 import { BrickRoom } from './brick-room.ts';
 import type { KeptBricks } from './brick-room.ts';
 import { BrickSource } from './brick-source.ts';
@@ -57,7 +57,7 @@ export class BrickView implements ViewPart, KeptBricks {
   /** Counts changes of the bricks. */
   #changes = 0;
   #loading: BrickLoading | null = null;
-  readonly #pictures = new BrickPictures();
+  readonly #drawing = new BrickDrawing();
   /** Whether the textures went before all bricks had come. */
   #gaveWay = false;
   #hasFailed = false;
@@ -176,7 +176,7 @@ export class BrickView implements ViewPart, KeptBricks {
     if (this.#users++ > 0) return;
     const life = (this.#life = new AbortController()).signal;
     this.#picture = null;
-    this.#pictures.restart();
+    this.#drawing.restart();
     this.#loading = this.#createLoading(life);
     this.bricks.fit(this.#capacity);
     this.#tiles.wake();
@@ -288,7 +288,7 @@ export class BrickView implements ViewPart, KeptBricks {
         this.#changes++;
         this.#begin();
         const { viewer } = this.parts.view;
-        if (viewer) void this.#pictures.drawSoon(viewer, () => this.#users > 0 && bricks.moving);
+        if (viewer) void this.#drawing.drawSoon(viewer, () => this.#users > 0 && bricks.moving);
       },
       grew: () => {
         if (bricks.count < bricks.capacity) return;

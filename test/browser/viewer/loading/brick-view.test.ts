@@ -82,6 +82,9 @@ const look = {
   'camera-orbit': '30deg 65deg 150',
 };
 
+/** Of 128 voxels, with steps by `max-error`. */
+const fromAfar = { 'transfer-function': look['transfer-function'], 'camera-orbit': '30deg 65deg 300' };
+
 describe('a pyramid in bricks on a page', () => {
   it('is the picture of the whole, where all bricks that are visible fit', async function () {
     this.timeout(90_000);
@@ -239,8 +242,7 @@ describe('a pyramid in bricks on a page', () => {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [128, 128, 128], levels: 3 });
     const view = addView(fetch, {
-      'transfer-function': look['transfer-function'],
-      'camera-orbit': '30deg 65deg 300',
+      ...fromAfar,
       'max-gpu-bytes': '1e6',
       'max-error': '0.05',
     });
@@ -270,8 +272,7 @@ describe('a pyramid in bricks on a page', () => {
     this.timeout(90_000);
     const { fetch } = serve({ dimensions: [128, 128, 128], levels: 3 });
     const view = addView(fetch, {
-      'transfer-function': look['transfer-function'],
-      'camera-orbit': '30deg 65deg 300',
+      ...fromAfar,
       'max-gpu-bytes': '1900000',
       'max-error': '4',
     });

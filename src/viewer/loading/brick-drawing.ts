@@ -15,7 +15,7 @@ async function whenDrawn({ loop }: SocketViewer): Promise<void> {
 }
 
 /** Draws pictures while bricks come: not one for each of them. */
-export class BrickPictures {
+export class BrickDrawing {
   #isDue = false;
   /** How long the last picture took that showed new bricks. */
   #drawnMs = 0;

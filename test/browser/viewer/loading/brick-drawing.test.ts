@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import type { Scene } from '../../../../src/viewer/model/scene.ts';
 import type { SocketView, SocketViewer } from '../../../../src/viewer/model/view-socket.ts';
-import { BrickPictures, takeTurn } from '../../../../src/viewer/loading/brick-pictures.ts';
+import { BrickDrawing, takeTurn } from '../../../../src/viewer/loading/brick-drawing.ts';
 
 const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
@@ -95,7 +95,7 @@ describe('the turn of a view in bricks', () => {
 describe('pictures while bricks come', () => {
   it('are one at a time, also where many bricks come, and none where the view no longer wants it', async () => {
     const { viewer, loop, state, draw } = createViewer();
-    const pictures = new BrickPictures();
+    const pictures = new BrickDrawing();
     let isWanted = true;
     loop.dirty = true;
     for (let n = 0; n < 5; n++) void pictures.drawSoon(viewer, () => isWanted);
@@ -110,7 +110,7 @@ describe('pictures while bricks come', () => {
 
   it('come again in another scene, though the one that was due in the last scene was never drawn', async () => {
     const [before, after] = [createViewer(), createViewer()];
-    const pictures = new BrickPictures();
+    const pictures = new BrickDrawing();
     before.loop.dirty = true;
     void pictures.drawSoon(before.viewer, () => true);
     pictures.restart();
