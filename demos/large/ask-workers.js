@@ -2,13 +2,15 @@
 
 /**
  * @param {number} count - of workers
+ * @param {number} [more] - levels that are finer than the stone's own
  * @returns {{ ask: (path: string, signal?: AbortSignal | null) => Promise<string | Uint8Array<ArrayBuffer> | null>, close: () => void }} `ask` resolves with null for
  *   nothing, and rejects when the signal stops it
  */
-export function startWorkers(count) {
+export function startWorkers(count, more = 0) {
   /** Questions that wait for a worker: each gets one, and returns whether it needs it. @type {((worker: Worker) => boolean)[]} */
   const waiting = [];
   const workers = Array.from({ length: count }, () => new Worker(new URL('stone.js', import.meta.url)));
+  for (const worker of workers) worker.postMessage(more);
   const idle = [...workers];
   const next = () => {
     while (idle.length > 0 && waiting.length > 0) if (waiting.shift()?.(idle[0])) idle.shift();

@@ -2,13 +2,20 @@
 // voxels below them, because each level has only those waves of the noise that are longer than its voxels.
 
 /** Voxels of the finest level along x, y and z; each next level has half as many. */
-const finest = [4096, 3072, 2560];
-const levels = 7;
+let finest = [4096, 3072, 2560];
+let levels = 7;
 const voxelsOf = (level) => finest.map((n) => n / 2 ** level);
 
 const chunkSide = 32;
 /** Micrometres: the box around the stone is 8.2 mm wide. */
-const voxel = 2;
+let voxel = 2;
+
+/** The same stone with so many levels more, each with voxels of half the edge. */
+function refine(more) {
+  finest = finest.map((n) => n * 2 ** more);
+  levels += more;
+  voxel /= 2 ** more;
+}
 
 /** The whole numbers below 256 in a disorder that is always the same, twice. */
 const disorder = new Uint8Array(512);
@@ -142,10 +149,13 @@ function describeLevel(level) {
 /** What a web server would have under a path; null for nothing. */
 function answer(path) {
   if (path === 'zarr.json') return JSON.stringify(describeImage());
-  const [, level, rest] = /^([0-6])\/(.+)$/.exec(path) ?? [];
+  const [, level, rest] = /^(\d)\/(.+)$/.exec(path) ?? [];
   if (rest === 'zarr.json') return JSON.stringify(describeLevel(Number(level)));
   const chunk = /^c\/(\d+)\/(\d+)\/(\d+)$/.exec(rest ?? '');
   return chunk && makeChunk(Number(level), [Number(chunk[3]), Number(chunk[2]), Number(chunk[1])]);
 }
 
-addEventListener('message', ({ data }) => postMessage(answer(data)));
+addEventListener('message', ({ data }) => {
+  if (typeof data === 'number') refine(data);
+  else postMessage(answer(data));
+});

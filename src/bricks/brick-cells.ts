@@ -24,6 +24,9 @@ export interface MeasuredBrick extends Brick, Pick<BrickSamples, 'samples'> {
   blocks?: BlockRanges;
 }
 
+/** @param last - is inside */
+export type ShownBricks = (first: Vector3, last: Vector3, meet: (brick: MeasuredBrick | undefined) => void) => void;
+
 /** The values of some places: stored units; roughness from one voxel of the finest level to the next. */
 interface Values {
   low: number;
@@ -78,11 +81,11 @@ export class BrickCells {
   }
 
   /**
-   * @param shown - the brick that a cell of the layout shows; undefined where it is the volume itself
+   * @param shown - calls for each brick that a box of the layout's cells shows, once or more often; with undefined where it is the volume itself
    * @param level - the finest level of which there are bricks; -1 for none
    * @returns whether any macrocell has changed
    */
-  update(shown: (cell: number) => MeasuredBrick | undefined, level: number): boolean {
+  update(shown: ShownBricks, level: number): boolean {
     const { dimensions, low, high, roughness } = this.macrocells;
     const sampled = this.#lengths[level] ?? this.#length;
     const isFiner = sampled !== this.#sampled;
@@ -113,22 +116,18 @@ export class BrickCells {
     ] as unknown as [Vector3, Vector3];
   }
 
-  #valuesOf(at: number, cells: Vector3, shown: (cell: number) => MeasuredBrick | undefined): Values {
+  #valuesOf(at: number, cells: Vector3, shown: ShownBricks): Values {
     const [low, high] = this.#boxOf(at, cells);
     const first = cellOfPlace(this.layout, low);
     const last = cellOfPlace(this.layout, high);
-    const [cx, cy] = this.layout.cells;
     const found: Values = { low: Infinity, high: -Infinity, roughness: 0 };
     const seen = new Set<MeasuredBrick | undefined>();
-    for (let k = first[2]; k <= last[2]; k++)
-      for (let j = first[1]; j <= last[1]; j++)
-        for (let i = first[0]; i <= last[0]; i++) {
-          const brick = shown(i + cx * (j + cy * k));
-          if (seen.has(brick)) continue;
-          seen.add(brick);
-          if (brick) this.#addBlocks(found, brick, [low, high]);
-          else this.#addOwn(found, at);
-        }
+    shown(first, last, (brick) => {
+      if (seen.has(brick)) return;
+      seen.add(brick);
+      if (brick) this.#addBlocks(found, brick, [low, high]);
+      else this.#addOwn(found, at);
+    });
     // Stored values of whole numbers can not say that there are none.
     return found.low <= found.high ? found : { low: this.#own.low[at], high: this.#own.high[at], roughness: 0 };
   }

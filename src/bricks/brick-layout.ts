@@ -4,6 +4,7 @@ import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickLevel } from './brick-data.ts';
+import { chooseGroupSide, groupsOf } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
 
 /** Voxels of the neighbours at each side of a brick, so that values can be interpolated up to its faces. */
@@ -30,8 +31,9 @@ export interface LevelFrame extends Pick<BrickLevel, 'dimensions' | 'bricks' | '
 /** Levels that lie as bricks over a volume, finest first, and cells (bricks of the finest level) that say which brick is where. */
 export interface BrickLayout {
   readonly levels: readonly LevelFrame[];
-  /** Cells along each axis. */
+  /** Cells along each axis; and of a group of them, see `CellNumbers`. */
   readonly cells: Vector3;
+  readonly groupSide: number;
   /** The finest level over the volume's own unit cube. */
   readonly finest: GridFrame;
 }
@@ -88,18 +90,71 @@ export function atlasEdge(dimensions: Vector3): number {
   return Math.max(width, height, depth + slotSide);
 }
 
-/** Bytes of the GPU's table of pages. */
-export const pageBytes = ([cx, cy, cz]: Vector3): number => bytesOfCell * cx * cy * cz;
+/** The GPU's table of pages, a 3D texture: a texel for each group of cells, then, along z, layers of blocks with a texel for each cell of a group. */
+export interface TableShape {
+  readonly side: number;
+  readonly groups: Vector3;
+  /** Blocks of a layer along x and y. */
+  readonly columns: number;
+  readonly rows: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Blocks of a layer along x and y, where there are not more groups. */
+const leastColumns = 4;
+
+export function shapeTable({ cells, groupSide: side }: Pick<BrickLayout, 'cells' | 'groupSide'>): TableShape {
+  const groups = groupsOf(cells, side);
+  if (side === 1) return { side, groups, columns: 0, rows: 0, width: groups[0], height: groups[1] };
+  const [width, height] = groups.map((n) => Math.max(leastColumns * side, n));
+  return { side, groups, columns: Math.floor(width / side), rows: Math.floor(height / side), width, height };
+}
+
+/** Layers for so many blocks. There are at most as many as groups. */
+export function layersOfTable({ side, groups: [gx, gy, gz], columns, rows }: TableShape, blocks: number): number {
+  return side === 1 ? 0 : Math.ceil(Math.min(blocks, gx * gy * gz) / (columns * rows));
+}
+
+/** @param layers - of blocks */
+export const tableDepth = ({ groups, side }: TableShape, layers: number): number => groups[2] + side * layers;
+
+export const tableBytes = (shape: TableShape, layers: number): number =>
+  bytesOfCell * shape.width * shape.height * tableDepth(shape, layers);
+
+/** The first texel of a block. */
+export function placeOfBlock({ side, groups, columns, rows }: TableShape, block: number): Vector3 {
+  return [
+    side * (block % columns),
+    side * (Math.floor(block / columns) % rows),
+    groups[2] + side * Math.floor(block / (columns * rows)),
+  ];
+}
+
+/** Layers of blocks that so many bricks can need at most: one block for each group of which a brick covers a part. */
+export function mostLayersOfTable({ levels, cells, groupSide }: BrickLayout, bricks: number): number {
+  const most = levels.map(({ factors }) =>
+    factors.reduce((product, n) => product * (groupSide % n === 0 || n % groupSide === 0 ? 1 : 2), 1),
+  );
+  return layersOfTable(shapeTable({ cells, groupSide }), bricks * Math.max(...most));
+}
 
 /**
  * Slots that so many bytes of the GPU have room for, next to the volume and the table of pages: whole layers of the atlas.
  * @param bytesPerSample - of a texel
  */
-export function slotsWithin(bytes: number, shape: AtlasShape, cells: Vector3, bytesPerSample: number): number {
+export function slotsWithin(bytes: number, shape: AtlasShape, layout: BrickLayout, bytesPerSample: number): number {
   const { width, height, depth, slotsOfLayer } = shape;
   const slice = width * height * bytesPerSample;
-  const layers = Math.floor((bytes - slice * depth - pageBytes(cells)) / (slice * slotSide));
-  return slotsOfLayer * Math.max(0, layers);
+  const table = shapeTable(layout);
+  const hasRoom = (layers: number): boolean => {
+    const ofTable = mostLayersOfTable(layout, layers * slotsOfLayer);
+    const needed = slice * (depth + layers * slotSide) + tableBytes(table, ofTable);
+    return needed <= bytes && tableDepth(table, ofTable) <= usualDepth;
+  };
+  let layers = Math.max(0, Math.floor((bytes / slice - depth) / slotSide));
+  while (layers > 0 && !hasRoom(layers)) layers--;
+  return slotsOfLayer * layers;
 }
 
 /** The first texel of a slot. */
@@ -132,7 +187,9 @@ export function layBricks(grid: GridFrame, levels: readonly BrickLevel[]): Brick
     if (turned.some((x) => Math.abs(x) > maxTurn) || scale.some((x) => !(x > 0))) return null;
     frames.push({ dimensions, bricks, factors, scale, shift: [m[3] + 0.5, m[7] + 0.5, m[11] + 0.5] });
   }
-  return frames.length === 0 ? null : { levels: frames, cells: frames[0].bricks, finest: gridOfLevel(grid, frames[0]) };
+  if (frames.length === 0) return null;
+  const cells = frames[0].bricks;
+  return { levels: frames, cells, groupSide: chooseGroupSide(cells), finest: gridOfLevel(grid, frames[0]) };
 }
 
 /** A level as a grid over the unit cube of a volume; its voxels need not be whole there. */

@@ -1,5 +1,7 @@
+import type { Vector3 } from '../volume/matrix.ts';
 import { brickAround, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
+import { CellNumbers } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
 
 /** How far a brick is from what was there before it, in stored values. */
@@ -20,8 +22,8 @@ export class MeasuredDetail {
   readonly #bricks: MeasuredBrickDetail[] = [];
   /** By level: the number of each measured brick, by its number in the level. */
   readonly #byLevel: readonly Map<number, number>[];
-  /** By cell: 1 + the number of the finest measured brick, 0 for none; made with the first one. */
-  #finest: Int32Array | null = null;
+  /** By cell: 1 + the number of the finest measured brick, 0 for none. */
+  readonly #finest: CellNumbers;
   /** So many bricks are in `#finest`. */
   #placed = 0;
   readonly #levels: number;
@@ -32,6 +34,7 @@ export class MeasuredDetail {
   constructor(readonly layout: BrickLayout) {
     this.#levels = layout.levels.length + 1;
     this.#byLevel = layout.levels.map(() => new Map<number, number>());
+    this.#finest = new CellNumbers(layout.cells, layout.groupSide);
   }
 
   has(brick: Brick): boolean {
@@ -83,8 +86,8 @@ export class MeasuredDetail {
   }
 
   /** The finest brick that was measured in a cell; -1 for none. */
-  blockAt(cell: number): number {
-    return this.#finest ? this.#finest[cell] - 1 : -1;
+  blockAt([i, j, k]: Vector3): number {
+    return this.#finest.at(i, j, k) - 1;
   }
 
   /** What a level hides of the finest one. */
@@ -97,19 +100,11 @@ export class MeasuredDetail {
   }
 
   #place(): void {
-    if (this.#placed === this.#bricks.length) return;
-    const [cx, cy, cz] = this.layout.cells;
-    const finest = (this.#finest ??= new Int32Array(cx * cy * cz));
     for (; this.#placed < this.#bricks.length; this.#placed++) {
       const { level, at } = this.#bricks[this.#placed].brick;
       const [low, high] = cellsOfBrick(this.layout, level, at);
-      for (let k = low[2]; k < high[2]; k++)
-        for (let j = low[1]; j < high[1]; j++)
-          for (let i = low[0]; i < high[0]; i++) {
-            const cell = i + cx * (j + cy * k);
-            if (finest[cell] === 0 || this.#bricks[finest[cell] - 1].brick.level > level)
-              finest[cell] = this.#placed + 1;
-          }
+      const isCoarser = (number: number): boolean => number === 0 || this.#bricks[number - 1].brick.level > level;
+      this.#finest.change(low, high, (before) => (isCoarser(before) ? this.#placed + 1 : before));
     }
   }
 }

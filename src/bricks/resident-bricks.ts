@@ -6,7 +6,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { BrickCells } from './brick-cells.ts';
-import type { MeasuredBrick } from './brick-cells.ts';
+import type { MeasuredBrick, ShownBricks } from './brick-cells.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import {
@@ -21,6 +21,8 @@ import {
   slotSide,
 } from './brick-layout.ts';
 import type { AtlasShape, BrickLayout } from './brick-layout.ts';
+import { CellNumbers } from './cell-numbers.ts';
+import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
 
 /** A brick that rays can read, and the slot that it has. */
@@ -37,10 +39,10 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
  * there. Twin: shaders/chunks/field/bricks-3d.glsl
  */
 export class ResidentBricks implements FinerVoxels {
-  /** By cell, i fastest: the slot of its brick in three bytes, low byte first; and 1 + the brick's level, or 0 where it has none. */
-  readonly pages: Uint8Array<ArrayBuffer>;
-  /** Counts changes of `pages`, and of `macrocells` as far as `current` has seen them. */
-  readonly changes = { pages: 0, cells: 0 };
+  /** By cell: 1 + the slot of the brick that is shown there, or 0 where it is the volume itself. */
+  readonly pages: CellNumbers;
+  /** Counts changes of `macrocells`, as far as `current` has seen them. */
+  #cellChanges = 0;
   /** Whether the present view gets more of them. */
   moving = false;
   error: FinerVoxels['error'] = null;
@@ -72,9 +74,8 @@ export class ResidentBricks implements FinerVoxels {
     readonly layout: BrickLayout,
     readonly upload: FinerVoxels['upload'],
   ) {
-    const [cx, cy, cz] = layout.cells;
     this.atlas = shapeAtlas(volume.grid.dimensions);
-    this.pages = new Uint8Array(4 * cx * cy * cz);
+    this.pages = new CellNumbers(layout.cells, layout.groupSide);
     this.#cells = new BrickCells(volume, layout);
     this.#counts = layout.levels.map(() => 0);
   }
@@ -99,8 +100,10 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   current<V extends BrickedValues>(volume: V): V {
-    if (this.#cells.update((cell) => this.#bySlot[this.slotOf(cell)], this.#level)) this.changes.cells++;
-    const { cells } = this.changes;
+    const shown: ShownBricks = (first, last, meet) =>
+      this.pages.visit(first, last, (page) => meet(this.#bySlot[page - 1]));
+    if (this.#cells.update(shown, this.#level)) this.#cellChanges++;
+    const cells = this.#cellChanges;
     if (this.#current?.volume !== volume || this.#current.cells !== cells)
       this.#current = {
         volume,
@@ -156,11 +159,8 @@ export class ResidentBricks implements FinerVoxels {
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
-    this.#visitCells(brick, (cell) => {
-      const shown = this.pages[4 * cell + 3];
-      if (shown === 0 || shown - 1 > level) this.#show(cell, brick);
-    });
-    this.changes.pages++;
+    const isCoarser = (page: number): boolean => page === 0 || this.#bySlot[page - 1]!.level > level;
+    this.#change(brick, (before) => (isCoarser(before) ? slot + 1 : before));
     this.#widen(brick);
     return brick;
   }
@@ -168,14 +168,12 @@ export class ResidentBricks implements FinerVoxels {
   remove(place: Brick): void {
     const brick = this.get(place);
     if (!brick) return;
+    const { slot, level } = brick;
     this.#bricks.delete(keyOfBrick(brick));
-    this.#bySlot[brick.slot] = undefined;
-    this.#free.push(brick.slot);
-    this.#counts[brick.level]--;
-    this.#visitCells(brick, (cell, at) => {
-      if (this.pages[4 * cell + 3] === brick.level + 1) this.#show(cell, this.#coarser(at, brick.level));
-    });
-    this.changes.pages++;
+    this.#bySlot[slot] = undefined;
+    this.#free.push(slot);
+    this.#counts[level]--;
+    this.#change(brick, (before, first, last) => (before === slot + 1 ? this.#coarser(first, last, level) : before));
   }
 
   /** From now on there are at most so many slots, and bricks: the last ones that came go, and those in other slots get another one. */
@@ -193,19 +191,27 @@ export class ResidentBricks implements FinerVoxels {
 
   /** The level of a cell's brick; the number of levels where the volume itself is shown. */
   levelOf(cell: number): number {
-    return (this.pages[4 * cell + 3] || this.layout.levels.length + 1) - 1;
+    return this.#levelOf(this.slotOf(cell));
+  }
+
+  #levelOf(slot: number): number {
+    return this.#bySlot[slot]?.level ?? this.layout.levels.length;
   }
 
   /** The level that a cell would have if the brick that it shows were not there. */
   levelWithout(cell: number): number {
-    return this.#coarser(placeOfCell(this.layout, cell), this.levelOf(cell))?.level ?? this.layout.levels.length;
+    const at = placeOfCell(this.layout, cell);
+    return this.#levelOf(this.#coarser(at, at, this.levelOf(cell))! - 1);
   }
 
   /** The slot of the brick that a cell shows; -1 where it has none. */
   slotOf(cell: number): number {
-    const { pages } = this;
-    const page = 4 * cell;
-    return pages[page + 3] === 0 ? -1 : pages[page] + 256 * pages[page + 1] + 65536 * pages[page + 2];
+    return this.pages.at(...placeOfCell(this.layout, cell)) - 1;
+  }
+
+  /** The same at a place of the unit cube. */
+  slotAt(place: Vector3): number {
+    return this.pages.at(...cellOfPlace(this.layout, place)) - 1;
   }
 
   storedAt(place: Vector3): number {
@@ -263,33 +269,27 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   #brickAt(place: Vector3): ResidentBrick | undefined {
-    return this.#bySlot[this.slotOf(this.cellAt(place))];
+    return this.#bySlot[this.slotAt(place)];
   }
 
-  #show(cell: number, brick: ResidentBrick | undefined): void {
-    const slot = brick?.slot ?? 0;
-    this.pages.set([slot & 255, (slot >> 8) & 255, slot >> 16, brick ? brick.level + 1 : 0], 4 * cell);
-  }
-
-  /** The finest brick of the levels beyond one that covers a cell. */
-  #coarser(cell: Vector3, level: number): ResidentBrick | undefined {
+  /** The page of the finest brick of the levels beyond one that covers a box of cells; null where no single one does. @param last - is inside */
+  #coarser(first: Vector3, last: Vector3, level: number): number | null {
     const { levels } = this.layout;
     for (let next = level + 1; next < levels.length; next++) {
       if (this.#counts[next] === 0) continue;
-      const found = this.get({ level: next, at: brickOfCell(levels[next], cell) });
-      if (found) return found;
+      const at = brickOfCell(levels[next], first);
+      if (brickOfCell(levels[next], last).some((n, axis) => n !== at[axis])) return null;
+      const found = this.get({ level: next, at });
+      if (found) return found.slot + 1;
     }
-    return undefined;
+    return 0;
   }
 
-  /** The cells of a brick that comes or goes. */
-  #visitCells({ level, at }: Brick, visit: (cell: number, at: Vector3) => void): void {
-    const { cells } = this.layout;
+  /** The pages of a brick that comes or goes. */
+  #change({ level, at }: Brick, next: NextNumber): void {
     const [low, high] = cellsOfBrick(this.layout, level, at);
     this.#cells.change(low, high);
-    for (let k = low[2]; k < high[2]; k++)
-      for (let j = low[1]; j < high[1]; j++)
-        for (let i = low[0]; i < high[0]; i++) visit(i + cells[0] * (j + cells[1] * k), [i, j, k]);
+    this.pages.change(low, high, next);
   }
 
   #widen({ low, high }: ResidentBrick): void {

@@ -6,7 +6,7 @@ import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickAround, brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickAround, brickHalo, cellOfPlace, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
@@ -19,6 +19,9 @@ import type { ResidualTable } from './residuals.ts';
 interface Probe extends Brick {
   readonly samples: Samples;
 }
+
+/** Probes that are kept at most: a view that never rests asks for more and more of them. */
+const mostProbes = 64;
 
 /** Voxels from one place that is measured to the next, along each axis. */
 const stride = 3;
@@ -123,7 +126,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   measure(brick: Brick, { samples, low, high }: BrickSamples, isProbe = false): void {
     this.#meet(low, high);
     this.#compare(brick, { low, high });
-    if (isProbe) this.#probes.set(keyOfBrick(brick), { ...brick, samples });
+    if (isProbe) this.#keepProbe({ ...brick, samples });
     if (this.#measured.has(brick)) return;
     const probe = this.#probeAround(brick);
     const { scale, shift, dimensions } = this.bricks.layout.levels[brick.level];
@@ -178,6 +181,14 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#squares[brick.level] += squaresOfPairs;
   }
 
+  #keepProbe(probe: Probe): void {
+    this.#probes.set(keyOfBrick(probe), probe);
+    for (const oldest of this.#probes.keys()) {
+      if (this.#probes.size <= mostProbes) break;
+      this.#probes.delete(oldest);
+    }
+  }
+
   /** The next coarser probe that covers a brick. */
   #probeAround(brick: Brick): Probe | null {
     const { layout } = this.bricks;
@@ -190,6 +201,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   forgetProbes(): void {
     this.#probes.clear();
+  }
+
+  /** How many probes are kept. */
+  get probes(): number {
+    return this.#probes.size;
   }
 
   /** Bricks have come or gone. */
@@ -223,13 +239,13 @@ export class ResidentDetail implements HiddenValues, DetailField {
   /** A block of the writer's table; without one, a block of what was measured; or, below 0, a macrocell of the volume. */
   blockAt(x: number, y: number, z: number): number {
     if (this.#byTable) return this.#byTable.blockAt(x, y, z);
-    const measured = this.#measured.blockAt(this.cellAt(x, y, z));
+    const measured = this.#measured.blockAt(cellOfPlace(this.bricks.layout, [x, y, z]));
     return measured < 0 ? this.#macrocellAt(x, y, z) : measured;
   }
 
   /** The slot of the brick that is shown; or, below 0, a macrocell of the volume. */
   #shownAt(x: number, y: number, z: number): number {
-    const slot = this.bricks.slotOf(this.cellAt(x, y, z));
+    const slot = this.bricks.slotAt([x, y, z]);
     return slot < 0 ? this.#macrocellAt(x, y, z) : slot;
   }
 

@@ -1,13 +1,16 @@
 // `npm run bench -- bricked`: what a view of a pyramid costs as its volume grows, in bricks and, where a device holds it, as a whole: the stone of
-// demos/large at one place, from 256 x 192 x 160 voxels to 4,096 x 3,072 x 2,560. Workers of the page compute its chunks, on the same processor.
+// demos/large at one place, from 256 x 192 x 160 voxels to 16,384 x 12,288 x 10,240. Workers of the page compute its chunks, on the same processor.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { formatMegabytes, printTable } from './table.mjs';
 
-/** Levels of the stone that are left out: the next one is then the finest. */
-const shifts = (process.env.SHIFTS ?? '4,3,2,1,0').split(',').map(Number);
+/** Levels of the stone that are left out: the next one is then the finest. Below 0: so many are added. */
+const shifts = (process.env.SHIFTS ?? '4,3,2,1,0,-1,-2').split(',').map(Number);
 
 /** Up to so many levels left out, the volume is also read as a whole. */
 const wholeFrom = 3;
+
+/** What small stones may take on the GPU, so that they come in bricks, too. @type {Record<number, string>} */
+const gpuBytes = { 3: '40e6', 4: '6e6' };
 
 /** Longest time for one picture, s. */
 const patience = 150;
@@ -62,9 +65,7 @@ export async function run() {
               'camera-orbit': '30deg 68deg 72%',
               'max-error': '2',
               ...(look === 'soft' && { shading: 'lit' }),
-              ...(way === 'whole'
-                ? { 'max-bytes': '100e6' }
-                : { 'max-gpu-bytes': ['64e6', '64e6', '64e6', '40e6', '6e6'][shift] }),
+              ...(way === 'whole' ? { 'max-bytes': '100e6' } : { 'max-gpu-bytes': gpuBytes[shift] ?? '64e6' }),
             },
           });
           await page.close();

@@ -11,13 +11,14 @@ import { startWorkers } from '../../demos/large/ask-workers.js';
 
 /**
  * @param {string} base - of the checkout, with a slash at its end
- * @param {number} shift - levels of the stone that are left out; the next one is then the finest
+ * @param {number} shift - levels of the stone that are left out; the next one is then the finest. Below 0: so many finer ones are added
  * @param {Network} [network]
  */
 export function serveStone(base, shift, { delay = 0, bytesPerSecond = Infinity, failing = 0 } = {}) {
   const folder = `${base}stone.ome.zarr/`;
+  const leftOut = Math.max(0, shift);
   const counts = { asked: 0, alive: 0, most: 0, failed: 0, chunks: 0, bytes: 0 };
-  const { ask, close } = startWorkers(1);
+  const { ask, close } = startWorkers(1, Math.max(0, -shift));
   let state = 1;
   const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
   /** When the wire is free again. */
@@ -32,12 +33,12 @@ export function serveStone(base, shift, { delay = 0, bytesPerSecond = Infinity, 
   /** @param {string} path */
   async function read(path) {
     const [, level, rest] = /^(?:(\d)\/)?(.*)$/.exec(path) ?? [];
-    const body = await ask(level ? `${Number(level) + shift}/${rest}` : rest);
+    const body = await ask(level ? `${Number(level) + leftOut}/${rest}` : rest);
     if (rest.startsWith('c/')) counts.chunks++;
     if (level || !body) return body;
     const group = JSON.parse(/** @type {string} */ (body));
     const [image] = group.attributes.ome.multiscales;
-    image.datasets = image.datasets.slice(shift);
+    image.datasets = image.datasets.slice(leftOut);
     for (const [i, dataset] of image.datasets.entries()) dataset.path = String(i);
     return JSON.stringify(group);
   }

@@ -1,4 +1,4 @@
-// `npm run bench -- soak` (`SECONDS=60`): a view in bricks that is turned and zoomed, in and out, for a minute, over a network of 10 MB/s with 300 ms before each
+// `npm run bench -- soak` (`SECONDS=60`, `LIMIT=48e6`): a view in bricks that is turned and zoomed, in and out, for a minute, over a network of 10 MB/s with 300 ms before each
 // answer, of which a tenth fails: errors, bytes on the GPU, memory, and requests that are alive once the element has left the page, which fail it. No program
 // follows the browser meanwhile: see browser-alone.mjs.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
@@ -6,7 +6,7 @@ import { openAlone } from './browser-alone.mjs';
 import { formatMegabytes, printTable } from './table.mjs';
 
 const seconds = Number(process.env.SECONDS ?? 60);
-const limit = 48e6;
+const limit = Number(process.env.LIMIT ?? 48e6);
 
 /** In the page. @param {{ base: string, limit: number }} asked */
 async function begin({ base, limit: bytes }) {

@@ -32,8 +32,16 @@ export function gridOf(whole: Volume, { levels }: Pyramid, level: number): Carte
   );
 }
 
-/** @param isThere - which bricks of the finer levels are there */
-export function cutIntoBricks(whole: Volume, count: number, isThere: (brick: Brick) => boolean = () => true): Bricked {
+/**
+ * @param isThere - which bricks of the finer levels are there
+ * @param groupSide - as the layout chooses it, if undefined
+ */
+export function cutIntoBricks(
+  whole: Volume,
+  count: number,
+  isThere: (brick: Brick) => boolean = () => true,
+  groupSide?: number,
+): Bricked {
   const all = buildPyramid({ dimensions: whole.grid.dimensions, samples: whole.samples }, brickSide);
   const pyramid = { ...all, levels: all.levels.slice(0, count) };
   const last = count - 1;
@@ -44,7 +52,8 @@ export function cutIntoBricks(whole: Volume, count: number, isThere: (brick: Bri
     const n = 2 ** level;
     return { ...gridOf(whole, pyramid, level), bricks: countBricks(pyramid, level), factors: [n, n, n] };
   });
-  const layout = layBricks(grid, levels)!;
+  const found = layBricks(grid, levels)!;
+  const layout = { ...found, groupSide: groupSide ?? found.groupSide };
   const finer = new ResidentBricks(coarse, layout, uploadBricks);
   for (let level = 0; level < last; level++)
     for (const brick of listBricks(pyramid, level)) if (isThere(brick)) finer.add(brick, readBrick(pyramid, brick));

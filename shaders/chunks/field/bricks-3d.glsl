@@ -2,8 +2,8 @@
 /// Twin: bricks/resident-bricks.ts
 uniform sampler3D uVolume;
 
-/// A texel for each cell (brick of the finest level): what is shown there lies at the texel of the atlas = place * scale + its x, y, z; its w is the number of the
-/// scale.
+/// A texel for each group of cells (bricks of the finest level). What all of its cells show lies at the texel of the atlas = place * scale + its x, y, z; its w is
+/// the number of the scale. Where w is below 0, its cells have texels of their own: at the cell + x, y, z.
 uniform sampler3D uBrickPages;
 
 /// Voxels along the unit cube: of the levels of bricks, finest first, then of the volume over which they lie.
@@ -13,6 +13,9 @@ uniform vec3 uLevelScales[16];
 uniform vec3 uCellScale;
 uniform vec3 uCellShift;
 uniform vec3 uLastCell;
+
+/// 1 / cells along each axis of a group: a power of two.
+uniform float uPerGroup;
 
 /// Places between which the finest level lies.
 uniform vec3 uFinestLow;
@@ -34,7 +37,9 @@ vec3 voxelScale;
 /// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation needs, also at the ends of a level.
 vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
-  vec4 page = texelFetch(uBrickPages, ivec3(min(place * uCellScale + uCellShift, uLastCell)), 0);
+  vec3 cell = min(place * uCellScale + uCellShift, uLastCell);
+  vec4 page = texelFetch(uBrickPages, ivec3(cell * uPerGroup), 0);
+  if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
   voxelScale = uLevelScales[int(page.w)];
   return place * voxelScale + page.xyz;
 }

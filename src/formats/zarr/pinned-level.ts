@@ -1,6 +1,8 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
 import { atlasEdge, bytesOfCell } from '../../bricks/brick-layout.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
+import { chooseGroupSide, groupsOf } from '../../bricks/cell-numbers.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
 import { chooseKeptBytes, shareOfBrick, usualGpuBytes } from '../base/brick-limits.ts';
 import type { DecodeSettings } from '../base/decoded-volume.ts';
 import { chooseBrickLevels } from './brick-levels.ts';
@@ -20,8 +22,8 @@ const pinnedBytes = 2 ** 25;
  */
 const [shareOfPinned, shareOfCoarsest] = [1 / 7, 1 / 2];
 
-/** Cells of the finest level that is read: the GPU has a 3D table with a texel for each of them. */
-const maxCells = 2 ** 20;
+/** Cells of the finest level that is read, and groups of them: the GPU has a 3D table with a texel for each group. */
+const [maxCells, maxGroups] = [2 ** 30, 2 ** 20];
 
 /** The share of the GPU's bytes that this table may take. */
 const shareOfTable = 1 / 2;
@@ -62,15 +64,16 @@ export function choosePinned(
   const box =
     boxes.find((one) => isSmall(one, most) && hasRoom(one)) ??
     (hasRoom(coarsest) && isSmall(coarsest, Math.min(bytes * shareOfCoarsest, limits.maxBytes)) ? coarsest : null);
-  const mostCells = Math.min(maxCells, (bytes * shareOfTable) / bytesOfCell);
+  const mostGroups = Math.min(maxGroups, (bytes * shareOfTable) / bytesOfCell);
+  const hasTable = (cells: Vector3): boolean => {
+    const groups = groupsOf(cells, chooseGroupSide(cells));
+    const count = ([x, y, z]: Vector3): number => x * y * z;
+    return count(cells) <= maxCells && count(groups) <= mostGroups && Math.max(...groups) <= limits.maxVoxelsPerAxis;
+  };
   const inBricks = chooseBrickLevels(image, chooseKeptBytes() * shareOfBrick).filter(
     ({ number }) => box && number < boxes.indexOf(box),
   );
-  const levels = relativeToFirst(
-    inBricks
-      .map(({ brick }) => brick)
-      .filter(({ bricks: [x, y, z] }) => x * y * z <= mostCells && Math.max(x, y, z) <= limits.maxVoxelsPerAxis),
-  );
+  const levels = relativeToFirst(inBricks.map(({ brick }) => brick).filter(({ bricks }) => hasTable(bricks)));
   return box && levels.length > 0 ? { box, numbers, levels } : null;
 }
 

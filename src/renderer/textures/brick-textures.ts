@@ -1,7 +1,19 @@
 import { brickSide } from '../../bricks/brick-data.ts';
-import { brickHalo, bytesOfCell, pageBytes, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
-import type { AtlasShape } from '../../bricks/brick-layout.ts';
+import {
+  brickHalo,
+  bytesOfCell,
+  layersOfTable,
+  mostLayersOfTable,
+  placeOfBlock,
+  placeOfSlot,
+  shapeTable,
+  slotSide,
+  tableBytes,
+  tableDepth,
+} from '../../bricks/brick-layout.ts';
+import type { AtlasShape, TableShape } from '../../bricks/brick-layout.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
 import { allocateLike } from '../../volume/samples.ts';
 import type { Samples, VolumeData } from '../../volume/volume.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
@@ -27,11 +39,13 @@ export class BrickTextures {
   readonly #shape: AtlasShape;
   #atlas: WebGLTexture | null = null;
   #layers = 0;
-  readonly #pages: WebGLTexture;
-  /** The bricks that are in the atlas, by slot; and the pages that are in the page table. */
+  readonly #table: TableShape;
+  #pages: WebGLTexture | null = null;
+  #blockLayers = 0;
+  /** The bricks that are in the atlas, by slot; and the last changes that the atlas and the table have. */
   readonly #written: (ResidentBrick | undefined)[] = [];
-  #pagesWritten: Uint8Array | null = null;
   #changes = -1;
+  #tableChanges = -1;
 
   constructor(
     readonly gl: WebGL2RenderingContext,
@@ -40,21 +54,18 @@ export class BrickTextures {
     readonly packing: BrickPacking,
   ) {
     this.#shape = bricks.atlas;
-    this.#pages = gl.createTexture();
+    this.#table = shapeTable(bricks.layout);
   }
 
   get bytes(): number {
     const { width, height, depth } = this.#shape;
     const texels = width * height * (depth + this.#layers * slotSide);
-    return texels * this.packing.texels.bytes + pageBytes(this.bricks.layout.cells);
+    return texels * this.packing.texels.bytes + this.#bytesOfTable;
   }
 
   /** Writes the volume piece by piece. @returns whether there was memory for it */
   *fill(): Upload<boolean> {
-    const { gl } = this;
-    const [cx, cy, cz] = this.bricks.layout.cells;
-    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
-    gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, cx, cy, cz);
+    this.#allocateTable(layersOfTable(this.#table, this.bricks.pages.blockCount));
     if (!this.#allocate(Math.min(1, this.#layersOf(this.bricks.capacity)))) return false;
     yield* this.#writeVolume();
     return true;
@@ -76,6 +87,7 @@ export class BrickTextures {
         uCellScale: scale.map((n) => n / brickSide),
         uCellShift: shift.map((n) => n / brickSide),
         uLastCell: cells.map((n) => n - 0.5),
+        uPerGroup: 1 / this.#table.side,
         uFinestLow: shift.map((n, axis) => -n / scale[axis]),
         uFinestHigh: shift.map((n, axis) => (dimensions[axis] - n) / scale[axis]),
         uPerTexel: [1 / width, 1 / height, 1 / (depth + this.#layers * slotSide)],
@@ -83,13 +95,13 @@ export class BrickTextures {
         uFinestVoxels: bricks.finest.dimensions,
         uPlaneVoxels: bricks.grid.dimensions,
       },
-      units: [unit(this.#atlas!, 'uVolume', this.packing.filter), unit(this.#pages, 'uBrickPages', gl.NEAREST)],
+      units: [unit(this.#atlas!, 'uVolume', this.packing.filter), unit(this.#pages!, 'uBrickPages', gl.NEAREST)],
     };
   }
 
   dispose(): void {
     for (const texture of [this.#atlas, this.#pages]) this.gl.deleteTexture(texture);
-    this.#atlas = null;
+    [this.#atlas, this.#pages] = [null, null];
   }
 
   #layersOf(slots: number): number {
@@ -98,8 +110,7 @@ export class BrickTextures {
 
   #update(): void {
     const { bricks } = this;
-    if (this.#changes === bricks.changes.pages) return;
-    this.#changes = bricks.changes.pages;
+    if (this.#changes === bricks.pages.changes) return;
     const layers = this.#layersOf(bricks.slots);
     const most = this.#layersOf(bricks.capacity);
     if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
@@ -108,7 +119,25 @@ export class BrickTextures {
       const brick = bricks.inSlot(slot);
       if (brick && brick !== this.#written[slot]) this.#write(brick);
     }
-    this.#writePages();
+    this.#writeTable();
+    this.#changes = bricks.pages.changes;
+  }
+
+  get #bytesOfTable(): number {
+    return tableBytes(this.#table, this.#blockLayers);
+  }
+
+  /** A table of another size is written again. @param layers - of blocks */
+  #allocateTable(layers: number): void {
+    const { gl } = this;
+    const { width, height } = this.#table;
+    this.#blockLayers = layers;
+    gl.deleteTexture(this.#pages);
+    this.#pages = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
+    gl.texStorage3D(gl.TEXTURE_3D, 1, gl.RGBA32F, width, height, tableDepth(this.#table, layers));
+    this.#tableChanges = -1;
+    this.bricks.bytesOnGpu = this.bytes;
   }
 
   /** An atlas of another size is filled again: WebGL has no quick way to copy a 3D texture, and the samples are kept for picks anyway. */
@@ -178,38 +207,56 @@ export class BrickTextures {
     gl.texSubImage3D(gl.TEXTURE_3D, 0, x, y, z, nx, ny, nz, format, type, pixels);
   }
 
-  /** The slices of the page table in which something has changed. */
-  #writePages(): void {
-    const { gl, bricks } = this;
-    const { pages } = bricks;
-    const [cx, cy, cz] = bricks.layout.cells;
-    const before = this.#pagesWritten;
-    const texels = new Float32Array(cellFloats * cx * cy);
-    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
-    prepareUpload(gl);
-    for (let k = 0; k < cz; k++) {
-      const [first, end] = [k * cx * cy, (k + 1) * cx * cy];
-      let changes = !before;
-      for (let byte = 4 * first; byte < 4 * end && !changes; byte++) changes = pages[byte] !== before![byte];
-      if (!changes) continue;
-      for (let cell = first; cell < end; cell++)
-        this.#describeCell(cell, texels.subarray(cellFloats * (cell - first), cellFloats * (cell - first + 1)));
-      gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, k, cx, cy, 1, gl.RGBA, gl.FLOAT, texels);
+  /** What has changed of the table: layers of groups, and blocks. */
+  #writeTable(): void {
+    const { pages } = this.bricks;
+    const needed = layersOfTable(this.#table, pages.blockCount);
+    const most = mostLayersOfTable(this.bricks.layout, this.bricks.capacity);
+    if (needed > this.#blockLayers) this.#allocateTable(Math.max(needed, Math.min(growth * this.#blockLayers, most)));
+    const seen = this.#tableChanges;
+    const [gx, gy, gz] = pages.groups;
+    const perLayer = gx * gy;
+    for (let k = 0; k < gz; k++) {
+      if (pages.changesOfLayers[k] <= seen) continue;
+      const layer = pages.directory.subarray(perLayer * k, perLayer * (k + 1));
+      this.#writeTexels([0, 0, k], [gx, gy, 1], layer);
     }
-    this.#pagesWritten = pages.slice();
+    const { side } = pages;
+    for (let block = 0; block < pages.blockCount; block++)
+      if (pages.changesOfBlocks[block] > seen)
+        this.#writeTexels(placeOfBlock(this.#table, block), [side, side, side], pages.block(block));
+    this.#tableChanges = pages.changes;
   }
 
-  #describeCell(cell: number, into: Float32Array): void {
-    const { bricks } = this;
-    const { levels } = bricks.layout;
-    const slot = bricks.slotOf(cell);
-    if (slot < 0) {
-      into.fill(brickHalo, 0, 3);
-      into[3] = levels.length;
+  #writeTexels([x, y, z]: Vector3, [nx, ny, nz]: Vector3, numbers: Int32Array): void {
+    const { gl } = this;
+    const texels = new Float32Array(cellFloats * numbers.length);
+    numbers.forEach((number, n) => this.#describe(number, texels.subarray(cellFloats * n, cellFloats * (n + 1))));
+    gl.bindTexture(gl.TEXTURE_3D, this.#pages);
+    prepareUpload(gl);
+    gl.texSubImage3D(gl.TEXTURE_3D, 0, x, y, z, nx, ny, nz, gl.RGBA, gl.FLOAT, texels);
+  }
+
+  /** A texel of the table. @param number - as the directory of `CellNumbers` has it */
+  #describe(number: number, into: Float32Array): void {
+    const { layout, pages } = this.bricks;
+    if (number < 0) {
+      const block = -1 - number;
+      const [gx, gy] = pages.groups;
+      const group = pages.groupsOfBlocks[block];
+      const at = [group % gx, Math.floor(group / gx) % gy, Math.floor(group / (gx * gy))];
+      placeOfBlock(this.#table, block).forEach((n, axis) => (into[axis] = n - pages.side * at[axis]));
+      into[3] = -1;
       return;
     }
-    const { level, at } = bricks.inSlot(slot)!;
-    const { shift } = levels[level];
+    const brick = this.bricks.inSlot(number - 1);
+    if (!brick) {
+      into.fill(brickHalo, 0, 3);
+      into[3] = layout.levels.length;
+      return;
+    }
+    const { level, at, slot } = brick;
+    const { shift } = layout.levels[level];
     const place = placeOfSlot(this.#shape, slot);
     for (let axis = 0; axis < 3; axis++) into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
     into[3] = level;

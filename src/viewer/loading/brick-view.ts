@@ -113,7 +113,7 @@ export class BrickView implements ViewPart, KeptBricks {
   get #capacity(): number {
     const { atlas, layout, maxSlots } = this.bricks;
     const bytes = Math.min(this.#maxBytes, pageRoom.share);
-    const within = slotsWithin(bytes, atlas, layout.cells, this.parts.pinned.samples.BYTES_PER_ELEMENT);
+    const within = slotsWithin(bytes, atlas, layout, this.parts.pinned.samples.BYTES_PER_ELEMENT);
     return Math.min(within, atlas.slotsOfLayer * Math.floor((this.#maxSide - atlas.depth) / slotSide), maxSlots);
   }
 

@@ -91,6 +91,8 @@ describe('bricks over a volume', () => {
       const none = await draw(scene(), one, { ...view, volume: cutIntoBricks(view.volume, 3, () => false).volume });
       const half = { ...view, volume: cutIntoBricks(view.volume, 3, some).volume };
       const mixed = await draw(scene(), one, half);
+      const inGroups = { ...half, volume: cutIntoBricks(view.volume, 3, some, 4).volume };
+      const { worst: byGroups } = comparePictures(await draw(scene(), one, inGroups), mixed);
       const twin = await castInFloat64(scene(), half);
       const [same, coarse, between, off] = [
         comparePictures(bricked, whole),
@@ -104,6 +106,8 @@ describe('bricks over a volume', () => {
       );
       expect(same.worst, 'all bricks').to.be.at.most(one.worst ?? 1);
       expect(coarse.rmse, 'no brick shows less').to.be.above(1);
+      expect(byGroups, 'a table in groups').to.equal(0);
+      expect(inGroups.volume.finer.pages.blockCount, 'blocks of the table').to.be.above(0);
       expect(off.rmse, 'some bricks, against the twin').to.be.at.most(0.5);
       expect(off.worst, 'some bricks, against the twin').to.be.at.most(2);
     });

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import {
   atlasEdge,
+  brickOfCell,
   layBricks,
   mostLevels,
   placeOfSlot,
@@ -8,9 +9,11 @@ import {
   slotSide,
   slotsWithin,
 } from '../../../src/bricks/brick-layout.ts';
+import { chooseGroupSide } from '../../../src/bricks/cell-numbers.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
+import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
 import { residentSampler } from '../../../src/bricks/resident-field.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
 import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
@@ -30,7 +33,7 @@ describe('bricks that are there', () => {
       const whole = syntheticVolume({ dimensions, kind, ...(kind === 'float32' && { field: fieldWithHole }) });
       const { pyramid, volume } = cutIntoBricks(whole, 3, ({ level, at: [i, j] }) => (level === 0 ? i === 1 : j === 0));
       const { finer } = volume;
-      const levelOf = Uint8Array.from({ length: finer.pages.length / 4 }, (_, cell) => finer.levelOf(cell));
+      const levelOf = Uint8Array.from({ length: 3 * 3 * 2 }, (_, cell) => finer.levelOf(cell));
       expect([0, 1, 2, 3].filter((level) => levelOf.includes(level))).to.deep.equal([0, 1, 2]);
       // The volume's own unit cube reaches as far as its last voxel; that of the finest level ends before.
       const ends = dimensions.map((n, axis) => (4 * volume.grid.dimensions[axis]) / n);
@@ -72,6 +75,72 @@ describe('bricks that are there', () => {
     finer.add({ level: 1, at: [0, 0, 0] }, readBrick(pyramid, { level: 1, at: [0, 0, 0] }));
     expect([finer.levelOf(0), finer.levelOf(1)], 'a coarser one does not hide a finer one').to.deep.equal([0, 1]);
     expect(layout.cells).to.deep.equal([3, 3, 2]);
+  });
+});
+
+describe('bricks that come and go', () => {
+  const whole = syntheticVolume({ dimensions: [300, 170, 90] });
+  for (const groupSide of [1, 4, 8])
+    it(`are shown where no finer ones are, in groups of ${groupSide} cells`, () => {
+      const { layout, pyramid, volume } = cutIntoBricks(whole, 4, () => false, groupSide);
+      const { finer } = volume;
+      const [cx, cy, cz] = layout.cells;
+      const all = [0, 1, 2].flatMap((level) => listBricks(pyramid, level));
+      const there = new Map<string, Brick>();
+      const some = randomNumbers(11);
+      const texels = new Set<number>();
+      for (let n = 0; n < 300; n++) {
+        const brick = all[Math.floor(some() * all.length)];
+        if (there.delete(keyOfBrick(brick))) finer.remove(brick);
+        else {
+          there.set(keyOfBrick(brick), brick);
+          finer.add(brick, readBrick(pyramid, brick));
+        }
+        if (n % 10 !== 0) continue;
+        for (let k = 0, cell = 0; k < cz; k++)
+          for (let j = 0; j < cy; j++)
+            for (let i = 0; i < cx; i++, cell++) {
+              const at = (level: number): Brick => ({ level, at: brickOfCell(layout.levels[level], [i, j, k]) });
+              const shown = [0, 1, 2].filter((level) => there.has(keyOfBrick(at(level))));
+              expect(finer.levelOf(cell)).to.equal(shown[0] ?? 3);
+              expect(finer.levelWithout(cell)).to.equal(shown[1] ?? 3);
+              expect(finer.inSlot(finer.slotOf(cell))?.at).to.deep.equal(
+                shown.length > 0 ? at(shown[0]).at : undefined,
+              );
+            }
+        texels.add(finer.pages.blockCount);
+      }
+      const { groups, blockCount } = finer.pages;
+      expect(Math.max(...texels)).to.be.at.most(groups[0] * groups[1] * groups[2]);
+      for (const brick of there.values()) finer.remove(brick);
+      expect(
+        [...finer.pages.directory].every((page) => page === 0),
+        'all cells are one again',
+      ).to.equal(true);
+      expect(blockCount > 0).to.equal(groupSide > 1);
+    });
+
+  it('share texels where they show one brick, also at the end of the grid', () => {
+    const { layout, pyramid, volume } = cutIntoBricks(whole, 4, ({ level }) => level === 2, 4);
+    expect(layout.cells).to.deep.equal([10, 6, 3]);
+    // A brick of level 2 has 4 x 4 x 4 cells, and the last ones have fewer.
+    expect([volume.finer.pages.blockCount, volume.finer.count]).to.deep.equal([0, 6]);
+    volume.finer.add({ level: 0, at: [9, 5, 2] }, readBrick(pyramid, { level: 0, at: [9, 5, 2] }));
+    expect(volume.finer.pages.blockCount).to.equal(1);
+  });
+
+  it('make a table that stays small, however many cells there are', () => {
+    for (const [cells, most] of [
+      [[2, 2, 2], 8],
+      [[64, 64, 64], 2 ** 16],
+      [[128, 96, 80], 2 ** 16],
+      [[512, 512, 256], 2 ** 20],
+      [[2048, 2048, 64], 2 ** 22],
+    ] as const) {
+      const side = chooseGroupSide(cells);
+      const texels = cells.reduce((product, n) => product * Math.ceil(n / side), 1);
+      expect(texels + 100 * (side === 1 ? 0 : side ** 3), String(cells)).to.be.at.most(most);
+    }
   });
 });
 
@@ -118,10 +187,18 @@ describe('the layout of bricks', () => {
   it('has whole layers of slots within the bytes that it may take, and none where the volume and the table need them', () => {
     const shape = shapeAtlas([96, 96, 80], 7000);
     const { width, height, depth, slotsOfLayer } = shape;
-    const cells = [6, 6, 5] as const;
-    const bytesFor = (layers: number): number => 2 * width * height * (depth + 34 * layers) + 16 * 180;
-    const found = [bytesFor(0) - 1, bytesFor(0), bytesFor(1) - 1, bytesFor(1), bytesFor(3) + 1, 0];
-    expect(found.map((bytes) => slotsWithin(bytes, shape, cells, 2) / slotsOfLayer)).to.deep.equal([0, 0, 0, 1, 3, 0]);
+    const { layout } = cutIntoBricks(syntheticVolume({ dimensions: [192, 192, 160] }), 2, () => false);
+    expect([layout.cells, layout.groupSide]).to.deep.equal([[6, 6, 5], 1]);
+    // Groups of 4 cells: 2 x 2 x 2 of them, and eight blocks, which fit one layer of 16 x 16 texels.
+    for (const [groupSide, ofTable] of [
+      [1, 16 * 180],
+      [4, 16 * 16 * 16 * (2 + 4)],
+    ]) {
+      const bytesFor = (layers: number): number => 2 * width * height * (depth + 34 * layers) + ofTable;
+      const found = [bytesFor(0) - 1, bytesFor(0), bytesFor(1) - 1, bytesFor(1), bytesFor(3) + 1, 0];
+      const slots = found.map((bytes) => slotsWithin(bytes, shape, { ...layout, groupSide }, 2) / slotsOfLayer);
+      expect(slots).to.deep.equal([0, 0, 0, 1, 3, 0]);
+    }
   });
 
   it('is no wider than the volume where few slots are needed, and holds as many as are asked for', () => {
