@@ -1,5 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
-import { brickAround, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
+import { brickSide } from './brick-data.ts';
+import { brickAround, cellOfPlace, cellsOfBrick, numberOfBrick } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
@@ -12,11 +13,24 @@ export interface MeasuredBrickDetail {
   /** Root of the mean square of each octave, as if all had the same detail; and the largest difference of all. */
   readonly rms: number;
   readonly max: number;
+  /** By part, i fastest: how many times the brick's own each of both is there. */
+  readonly parts: Float32Array;
+}
+
+/** Parts of a brick along each axis. How much is hidden is known for each of them: the rim of a thing is rougher than the rest of its brick. */
+export const partsAlong = 4;
+const partCount = partsAlong ** 3;
+
+/** The part of a brick at a place in it. @param place - in the brick, 0..1 along each axis */
+export function partAt(place: readonly number[]): number {
+  const [i, j, k] = place.map((x) => Math.min(partsAlong - 1, Math.max(0, Math.floor(x * partsAlong))));
+  return i + partsAlong * (j + partsAlong * k);
 }
 
 /**
  * What levels hide where bricks were looked at, also when these have gone: each place knows the finest one of them, and for the coarser octaves those around it.
- * Octaves that nobody has measured follow from the nearest one by what is usual in the pyramid. Blocks are numbers of bricks, from 0 on.
+ * Octaves that nobody has measured follow from the nearest one by what is usual in the pyramid. Blocks are parts of bricks,
+ * numbered from 0 on.
  */
 export class MeasuredDetail {
   readonly #bricks: MeasuredBrickDetail[] = [];
@@ -85,18 +99,27 @@ export class MeasuredDetail {
     });
   }
 
-  /** The finest brick that was measured in a cell; -1 for none. */
-  blockAt([i, j, k]: Vector3): number {
-    return this.#finest.at(i, j, k) - 1;
+  /** The part of the finest brick that was measured at a place of the unit cube; -1 for none. */
+  blockAt(place: Vector3): number {
+    const number = this.#finest.at(...cellOfPlace(this.layout, place)) - 1;
+    if (number < 0) return -1;
+    const { level, at } = this.#bricks[number].brick;
+    const { scale, shift } = this.layout.levels[level];
+    const inBrick = place.map((x, axis) => (x * scale[axis] + shift[axis]) / brickSide - at[axis]);
+    return number * partCount + partAt(inBrick);
   }
 
-  /** What a level hides of the finest one. */
+  /** What a level hides of the finest one in a block. */
   rms(block: number, level: number): number {
-    return this.#rms[block * this.#levels + level];
+    return this.#partOf(block) * this.#rms[Math.floor(block / partCount) * this.#levels + level];
   }
 
   max(block: number, level: number): number {
-    return this.#max[block * this.#levels + level];
+    return this.#partOf(block) * this.#max[Math.floor(block / partCount) * this.#levels + level];
+  }
+
+  #partOf(block: number): number {
+    return this.#bricks[Math.floor(block / partCount)].parts[block % partCount];
   }
 
   #place(): void {

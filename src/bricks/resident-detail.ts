@@ -6,11 +6,11 @@ import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickAround, brickHalo, cellOfPlace, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickAround, brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
-import { MeasuredDetail } from './measured-detail.ts';
+import { MeasuredDetail, partAt, partsAlong } from './measured-detail.ts';
 import type { Brick } from './pyramid.ts';
 import { keyOfBrick } from './resident-bricks.ts';
 import type { ResidentBricks } from './resident-bricks.ts';
@@ -43,6 +43,9 @@ const [usualAlong, mostAlong] = [0.25, 0.8];
  * variance; and where it is not known whether it is noise.
  */
 const [ofNoise, ofUnknown] = [(2 / 3) ** 1.5, 0.85];
+
+/** A part of a brick is taken to have so many places more at which it is as rough as the whole. */
+const leastOfPart = 4;
 
 /** An octave has at least this share and at most so many times the detail of the next coarser one. */
 const limits = [0.25, 8] as const;
@@ -133,6 +136,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
     let [squares, max, before, count, steps] = [0, 0, 0, 0, 1];
     let [shownLow, shownHigh] = [Infinity, -Infinity];
     let [pairs, squaresOfPairs] = [0, 0];
+    const parts = new Float64Array(partsAlong ** 3);
+    const counts = new Float64Array(partsAlong ** 3);
     const valueAt = (at: Vector3): number =>
       interpolate(samples, slotDimensions, at.map((n) => n / slotSide) as unknown as Vector3);
     /** Null beyond the level. */
@@ -164,6 +169,9 @@ export class ResidentDetail implements HiddenValues, DetailField {
             squaresOfPairs += ((value - shown) ** 2 + there ** 2) / 2;
           }
           squares += (value - shown) ** 2;
+          const part = partAt(inSlot.map((n) => (n - brickHalo) / brickSide));
+          parts[part] += (value - shown) ** 2;
+          counts[part]++;
           max = Math.max(max, Math.abs(value - shown));
           [shownLow, shownHigh] = [Math.min(shownLow, shown), Math.max(shownHigh, shown)];
           before += (isFiner ? this.#measured.of(probe)!.rms : this.#rmsAt(shownBy)) ** 2;
@@ -174,7 +182,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
     // Several octaves have the same detail each, as far as is known.
     const rms = Math.sqrt(squares / Math.max(1, count * steps));
     if (rms > 0) this.#peaks[brick.level] = Math.max(this.#peaks[brick.level], max / (rms * Math.sqrt(steps)));
-    this.#measured.add({ brick, octaves: steps, rms, max });
+    const mean = squares / Math.max(1, count);
+    const shares = Float32Array.from(parts, (sum, part) =>
+      mean > 0 ? Math.sqrt((sum / mean + leastOfPart) / (counts[part] + leastOfPart)) : 1,
+    );
+    this.#measured.add({ brick, octaves: steps, rms, max, parts: shares });
     this.#fine[brick.level] += rms ** 2 * count;
     this.#coarse[brick.level] += before;
     this.#pairs[brick.level] += pairs;
@@ -239,7 +251,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   /** A block of the writer's table; without one, a block of what was measured; or, below 0, a macrocell of the volume. */
   blockAt(x: number, y: number, z: number): number {
     if (this.#byTable) return this.#byTable.blockAt(x, y, z);
-    const measured = this.#measured.blockAt(cellOfPlace(this.bricks.layout, [x, y, z]));
+    const measured = this.#measured.blockAt([x, y, z]);
     return measured < 0 ? this.#macrocellAt(x, y, z) : measured;
   }
 

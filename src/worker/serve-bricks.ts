@@ -1,9 +1,9 @@
 // The worker's side of a pyramid that is read in bricks. Loaded when it is needed.
 import { asVolumeViewError } from '../core/errors.ts';
 import type { BrickStore } from '../formats/base/brick-store.ts';
-import { chooseKeptBytes } from '../formats/base/brick-limits.ts';
 import { loadReader } from '../formats/base/load-reader.ts';
 import { NeedsMainThread } from '../formats/base/needs-main-thread.ts';
+import type { OpenTree } from '../formats/zarr/brick-trees.ts';
 import { Queue } from '../formats/base/queue.ts';
 import { isZarr } from '../sources/is-zarr.ts';
 import type { BricksAnswer, BricksFailure, BricksOrder, BricksRequest, OpenedBricks } from './brick-messages.ts';
@@ -31,18 +31,20 @@ async function openBricks(
   if (files?.[1] || (!local && !isZarr(url))) return null;
   const settings = { ...request.settings, scan };
   const load = { request: { limits: endless, settings }, onProgress: () => undefined };
-  const [{ openFiles }, { openZarrBricks }] = await loadReader(() =>
-    Promise.all([import('#rare/sources/open-files.ts'), import('#rare/formats/zarr/zarr-bricks.ts')]),
+  const [{ openFiles }, { takeTree }, { openZarrBricks }] = await loadReader(() =>
+    Promise.all([
+      import('#rare/sources/open-files.ts'),
+      import('#rare/formats/zarr/brick-trees.ts'),
+      import('#rare/formats/zarr/zarr-bricks.ts'),
+    ]),
   );
   const { credentials } = settings;
-  const { tree, before } = await openFiles(
-    local ?? url,
-    { isStack: false, load, signal },
-    { pageOrigin, fetch, credentials, signal },
-  );
-  return tree
-    ? openZarrBricks(tree, settings, { signal, requests, before, scaling, keptBytes: chooseKeptBytes() })
-    : null;
+  const open: OpenTree = (until) =>
+    openFiles(local ?? url, { isStack: false, load, signal: until }, { pageOrigin, fetch, credentials, signal: until });
+  // What a function of a page fetches, and files that a person chose, are those of one view.
+  const key = local || fetch ? null : JSON.stringify([url, settings]);
+  const tree = await takeTree(key, { open, requests }, signal);
+  return tree && openZarrBricks(tree, settings, { signal, scaling });
 }
 
 /** No volume is made here that a device would have to hold. */

@@ -20,7 +20,10 @@ async function dropFolder(page: Page, files: Readonly<Record<string, Uint8Array>
     mkdirSync(dirname(join(folder, path)), { recursive: true });
     writeFileSync(join(folder, path), bytes);
   }
-  const box = (await page.locator('volume-drop').boundingBox())!;
+  const area = page.locator('volume-drop');
+  // Its buttons come with the view that takes the files: what is dropped before has no place to go.
+  await expect(area.getByRole('button').first()).toBeVisible();
+  const box = (await area.boundingBox())!;
   const session = await page.context().newCDPSession(page);
   const place = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   const data = { items: [], files: [folder], dragOperationsMask: 1 };

@@ -8,10 +8,9 @@ import type { ScanData } from '../../src/formats/base/scan-data.ts';
 import { checkGeometry } from '../../src/formats/base/check-geometry.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
-import { Queue } from '../../src/formats/base/queue.ts';
 import { readZarr } from '../../src/formats/zarr/read-zarr.ts';
-import { openZarrBricks } from '../../src/formats/zarr/zarr-bricks.ts';
 import { MemoryStore } from '../../src/sources/memory-store.ts';
+import { openBricksOf } from '../helpers/brick-stores.ts';
 import { findTrees, openTree } from '../../src/sources/store-tree.ts';
 import { ZipStore } from '../../src/sources/zip-store.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
@@ -203,8 +202,8 @@ async function loadTree(one: FilesCase): Promise<Finding | null> {
 /** The first, the last and another brick of each level, and what is said of the levels. A brick that can't be read keeps no other from it. */
 async function loadBricks(one: FilesCase): Promise<Finding | null> {
   const { signal } = new AbortController();
-  const opening = { signal, requests: new Queue(8), keptBytes: smallDevice.maxBytes, deviceBytes: smallBudget };
-  const store = await openZarrBricks(await treeOf(one), one.settings ?? {}, opening);
+  const opening = { signal, keptBytes: smallDevice.maxBytes, deviceBytes: smallBudget };
+  const store = await openBricksOf(await treeOf(one), opening, one.settings ?? {});
   if (!store) return null;
   let wrong = findOdd(store.levels, 'levels') ?? findOdd([store.slope, store.intercept], 'scaling');
   let failure: unknown;

@@ -1,7 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import type { BrickStore } from '../../src/formats/base/brick-store.ts';
+import { chooseKeptBytes } from '../../src/formats/base/brick-limits.ts';
+import type { DecodeSettings } from '../../src/formats/base/decoded-volume.ts';
 import { Queue } from '../../src/formats/base/queue.ts';
+import { ByteCache } from '../../src/formats/zarr/byte-cache.ts';
+import { ChunkSource } from '../../src/formats/zarr/chunk-source.ts';
 import type { FileTree } from '../../src/formats/zarr/file-tree.ts';
+import { limitReads } from '../../src/formats/zarr/limit-reads.ts';
 import { openZarrBricks } from '../../src/formats/zarr/zarr-bricks.ts';
 import type { BrickOpening } from '../../src/formats/zarr/zarr-bricks.ts';
 import type { Brick } from '../../src/bricks/pyramid.ts';
@@ -17,13 +22,20 @@ export const failureOf = (promise: Promise<unknown>): Promise<unknown> =>
     (reason: unknown) => reason,
   );
 
-/** Opens a Zarr in bricks, as the worker does. */
-export const openBricksOf = (
-  tree: FileTree,
-  opening: Partial<BrickOpening> = {},
-  settings = {},
-): Promise<BrickStore | null> =>
-  openZarrBricks(tree, settings, { signal: noSignal(), requests: new Queue(8), ...opening });
+/** How a tree is opened in a test. */
+export type TestOpening = Partial<BrickOpening> & { readonly requests?: Queue };
+
+/** Opens a Zarr in bricks, as the worker does, but with chunks of its own. */
+export function openBricksOf(
+  found: FileTree,
+  { requests = new Queue(8), ...opening }: TestOpening = {},
+  settings: DecodeSettings = {},
+): Promise<BrickStore | null> {
+  const tree = { ...found, ...limitReads(found, requests) };
+  const { keptBytes = chooseKeptBytes(), deviceBytes } = opening;
+  const chunks = new ChunkSource(tree, new ByteCache(keptBytes), deviceBytes);
+  return openZarrBricks({ tree, before: 0, chunks }, settings, { signal: noSignal(), ...opening });
+}
 
 /** Files that are computed, without a server. */
 export const formulaTree = (files: FormulaFiles): FileTree => ({

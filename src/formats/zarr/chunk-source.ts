@@ -41,7 +41,7 @@ export class ChunkSource {
    */
   constructor(
     private readonly tree: Pick<FileTree, 'read'>,
-    private readonly kept: KeptOfZarr,
+    private readonly kept: Pick<KeptOfZarr, 'get' | 'set'>,
     private readonly deviceBytes?: number,
   ) {}
 

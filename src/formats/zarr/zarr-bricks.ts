@@ -11,11 +11,8 @@ import { chooseBrickLevels } from './brick-levels.ts';
 import type { ZarrBrickLevel } from './brick-levels.ts';
 import { chooseBrickNumbers } from './brick-numbers.ts';
 import type { Scaling } from './brick-numbers.ts';
-import { ByteCache } from './byte-cache.ts';
+import type { BrickTree } from './brick-trees.ts';
 import { chooseTime } from './choose-time.ts';
-import { ChunkSource } from './chunk-source.ts';
-import type { FileTree } from './file-tree.ts';
-import { limitReads } from './limit-reads.ts';
 import { chooseChannels } from './ome-channels.ts';
 import { openImage } from './open-image.ts';
 import { readBrick } from './read-brick.ts';
@@ -25,16 +22,12 @@ import { readResiduals } from './read-residuals.ts';
 export interface BrickOpening {
   /** Gives up opening it, and closes it. */
   readonly signal: AbortSignal;
-  /** Limits the files that are read at once. */
-  readonly requests: Queue;
   /** Bytes of unpacked chunks that are kept; what this device can afford if undefined. */
   readonly keptBytes?: number;
   /** Bytes that may be held on this device; undefined where it does not say it. */
   readonly deviceBytes?: number;
   /** Of numbers that become floats: those of the ordinary volume; 1 and 0 if undefined. */
   readonly scaling?: Scaling;
-  /** So many volumes of other files are numbered before its images. */
-  readonly before?: number;
 }
 
 /** Of all that are open: a page may show many. */
@@ -47,13 +40,12 @@ const queue = new Queue(bricksAtOnce);
  * @throws {VolumeViewError} `format/…`, `source/…`, `attribute/invalid`; the signal's reason
  */
 export async function openZarrBricks(
-  tree: FileTree,
+  { tree, before, chunks: source }: BrickTree,
   settings: DecodeSettings,
-  { signal, requests, keptBytes: most = chooseKeptBytes(), deviceBytes, scaling, before = 0 }: BrickOpening,
+  { signal, keptBytes: most = chooseKeptBytes(), deviceBytes, scaling }: BrickOpening,
 ): Promise<BrickStore | null> {
-  const limited = limitReads(tree, requests);
   const opening = { budget: new Budget(deviceBytes), signal };
-  const image = await openImage({ ...tree, ...limited }, settings.series && settings.series - before, opening);
+  const image = await openImage(tree, settings.series && settings.series - before, opening);
   const { axes, labels } = image;
   const shown = chooseChannels(image, tree);
   if (shown.kind === 'colors' || labels || settings.spacing || settings.indexToWorld) return null;
@@ -63,7 +55,6 @@ export async function openZarrBricks(
   const { array } = levels[0].level;
   const at = array.shape.map((_, axis) => (axis === axes.time ? time : axis === axes.channel ? shown.index : 0));
   const numbers = chooseBrickNumbers(array.type, array.littleEndian, scaling ?? { slope: 1, intercept: 0 });
-  const source = new ChunkSource(limited, new ByteCache(most), deviceBytes);
   /** What is under way; null once the store is closed. */
   let running: Set<AbortController> | null = new Set();
   const close = (): void => {
@@ -103,7 +94,7 @@ export async function openZarrBricks(
       return untilClosed(own, (either) => queue.run(() => untilAborted(read(either), either)));
     },
     residuals: (own) =>
-      untilClosed(own, (either) => readResiduals(limited, { image, levels, numbers, deviceBytes, signal: either })),
+      untilClosed(own, (either) => readResiduals(tree, { image, levels, numbers, deviceBytes, signal: either })),
     close() {
       signal.removeEventListener('abort', close);
       close();

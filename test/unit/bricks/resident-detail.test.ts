@@ -74,6 +74,35 @@ describe('what bricks hide', () => {
     expect(second / (between * table.levels[2].rms[block([1, 3, 1])])).to.be.within(1 / 1.6, 1.6);
   });
 
+  it('is more in the rough part of a brick than in the rest of it', () => {
+    const random = randomNumbers(4);
+    const whole = syntheticVolume({
+      dimensions: [edge, edge, edge],
+      kind: 'float32',
+      field: (x) => (x < 48 / edge ? random() : 0.5),
+    });
+    const { volume, pyramid } = cutIntoBricks(whole, 2, () => false);
+    const detail = new ResidentDetail(volume.finer.volume, volume.finer);
+    const brick: Brick = { level: 0, at: [1, 1, 1] }; // Voxels 32 to 64, of which a half is noise.
+    detail.measure(brick, readBrick(pyramid, brick));
+    detail.update();
+    const at = (voxel: number): number => detail.rms(detail.blockAt(voxel / edge, 0.4, 0.4), 1);
+    expect(at(36) / at(60)).to.be.above(2);
+    const table = measureResiduals(pyramid, 16).levels[1].rms;
+    const between = Math.sqrt((2 / 3) ** 3);
+    expect(at(36) / (between * table[2 + 8 * (3 + 8 * 3)])).to.be.within(1 / 1.5, 1.5);
+  });
+
+  it('keeps no more than 64 probes, however many a view that never rests asks for', () => {
+    const { detail, pyramid } = makeRough();
+    const all = [0, 1].flatMap((level) => listBricks(pyramid, level));
+    expect(all.length).to.equal(72);
+    for (const brick of all) detail.measure(brick, readBrick(pyramid, brick), true);
+    expect(detail.probes).to.equal(64);
+    detail.forgetProbes();
+    expect(detail.probes).to.equal(0);
+  });
+
   it('has the peaks of bricks that have come elsewhere: single bright voxels are expected in others too', () => {
     const random = randomNumbers(9);
     const whole = syntheticVolume({ dimensions: [edge, edge, edge], field: () => (random() < 0.001 ? 1 : 0.1) });

@@ -135,6 +135,56 @@ describe('a pyramid that a worker reads in bricks', () => {
       for (const store of stores) store!.close();
     }));
 
+  it('is read once for all views of it, also when the first one leaves while its chunks are on their way', () =>
+    withServer(async (server) => {
+      const chunks = (): string[] => server.asked.filter((path) => path.includes('/c/'));
+      const stores = await Promise.all([1, 2, 3].map(() => open({ url: server.url }, server.origin).store));
+      server.faults = { delayMs: 50 };
+      const first = failureOf(stores[0]!.read({ level: 0, at: [0, 0, 0] }, noSignal()));
+      const second = stores[1]!.read({ level: 0, at: [0, 0, 0] }, noSignal());
+      while (chunks().length === 0) await new Promise((resolve) => setTimeout(resolve, 5));
+      stores[0]!.close();
+      expect(await first).to.include({ name: 'AbortError' });
+      expect((await second).samples.length).to.equal(34 ** 3);
+      server.faults = {};
+      await expectWhole(stores[1]);
+      await expectWhole(stores[2]);
+      expect(chunks().length).to.equal(new Set(chunks()).size);
+      stores[1]!.close();
+      stores[2]!.close();
+      // Who comes later may find another pyramid there. What closes it is a message.
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      const asked = chunks().length;
+      const later = (await open({ url: server.url }, server.origin).store)!;
+      await expectWhole(later);
+      expect(chunks().length).to.equal(2 * asked);
+      later.close();
+    }));
+
+  it('is read by each view for itself where they ask for other things of it', () =>
+    withServer(async (server) => {
+      const chunks = (): number => server.asked.filter((path) => path.includes('/c/')).length;
+      const ways = [{}, { credentials: 'include' as const }];
+      const stores = await Promise.all(
+        ways.map((settings) => open({ url: server.url, settings }, server.origin).store),
+      );
+      await expectWhole(stores[0]);
+      const asked = chunks();
+      await expectWhole(stores[1]);
+      expect(chunks()).to.equal(2 * asked);
+      for (const store of stores) store!.close();
+    }));
+
+  it('can be opened again where it could not be at first', () =>
+    withServer(async (server) => {
+      const url = `${server.origin}/none.zarr`;
+      const both = [1, 2].map(() => failureOf(open({ url }, server.origin).store));
+      for (const failure of both) expect(await failure).to.include({ code: 'format/unsupported' });
+      const asked = server.asked.length;
+      expect(await failureOf(open({ url }, server.origin).store)).to.include({ code: 'format/unsupported' });
+      expect(server.asked.length).to.be.above(asked);
+    }));
+
   it('ends the requests of bricks that are given up, and all when it is closed or was never wanted', () =>
     withServer(async (server) => {
       const until = async (isSo: () => boolean): Promise<void> => {
