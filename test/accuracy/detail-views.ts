@@ -32,7 +32,7 @@ const errors = [8, 4, 2, 1];
 const turn = 16;
 
 /** Rays across and down, of the true error. */
-const across = Number(process.env.ACROSS ?? 28);
+const across = 28;
 
 /** A pattern with detail down to single voxels: octaves of waves that turn. */
 function stone(x: number, y: number, z: number): number {

@@ -67,6 +67,19 @@ void gatherPart(Path path, float from, float to, Sample front, Sample back, inou
   if (!gathered.waits) gathered.color += seen;
 }
 
+/// How long the way of a jump of the value between two places of the unit cube is taken to be: a voxel of the coarser one of two levels of bricks, as values pass
+/// all between on such a way in the whole volume. 0 where there is no jump.
+float jumpBetween(vec3 from, vec3 to) {
+#ifdef BRICKS
+  inAtlas(from);
+  float scale = voxelScale.x;
+  inAtlas(to);
+  return scale == voxelScale.x ? 0.0 : uVoxelLength * PLANE_VOXELS.x / min(scale, voxelScale.x);
+#else
+  return 0.0;
+#endif
+}
+
 /// Cut a part at the turning points of the cubic through it and where another label may show, and halve the pieces that hide much or pass a value.
 void lookCloser(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   if (!gathered.waits) return;
@@ -91,8 +104,9 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     Sample next = back;
     if (end < to) next = sampleField(path.origin + path.forward * end);
     float visible = 1.0 - gathered.color.a;
-    vec4 seen = visible * seeSegment(Segment(front, next, at, end - at, visible));
-    if (!isLast && end - at > smallest && (seen.a > limitOf(front, next) || passes(front, next))) {
+    float jump = jumpBetween(path.origin + path.forward * at, path.origin + path.forward * end);
+    vec4 seen = visible * seeSegment(Segment(front, next, at, max(jump, end - at), visible));
+    if (!isLast && jump == 0.0 && end - at > smallest && (seen.a > limitOf(front, next) || passes(front, next))) {
       span = 0.5 * (end - at);
     } else {
       gathered.color += seen;

@@ -68,6 +68,7 @@ function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry
     kinksAlong:
       field.kinksAlong &&
       ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
+    jumpBetween: field.jumpBetween && ((from, to) => field.jumpBetween!(placeAt(from), placeAt(to))),
     turnsBetween: (from, to) =>
       moreFields
         .map((stage) => stage.turnBetween?.(placeAt(from), placeAt(to)) ?? null)

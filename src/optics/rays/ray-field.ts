@@ -36,6 +36,12 @@ export function cartesianField({
     ...storedField((place) => (finer ? finer.storedAt(place) : interpolate(samples, dimensions, place)), scaling),
     kinksBetween: (from, to) => kinksBetween(finer?.grid.dimensions ?? dimensions, from, to),
     kinksAlong,
+    jumpBetween:
+      finer &&
+      ((from, to) => {
+        const [one, other] = [from, to].map((place) => finer.voxelAt(place)[0] * finer.grid.dimensions[0]);
+        return one === other ? 0 : Math.max(one, other);
+      }),
   };
 }
 

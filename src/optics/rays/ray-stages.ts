@@ -50,6 +50,8 @@ export interface Path {
   kinksAlong?(from: number, to: number): readonly number[];
   /** Where other things may show between two places that lie between the same planes of voxels' centres, see `SecondFieldStage`. */
   turnsBetween?(from: number, to: number): readonly number[];
+  /** How long a jump of the value between two places may be taken to be, see `FieldStage.jumpBetween`. */
+  jumpBetween?(from: number, to: number): number;
 }
 
 /** Shortens the interval that the stages before it have left. */
@@ -68,6 +70,11 @@ export interface FieldStage {
   kinksBetween?(from: Vector3, to: Vector3): readonly number[];
   /** The same on a way of any length, ascending. Between two kinks, values are a cubic of the length, or constant. */
   kinksAlong?(from: Vector3, to: Vector3): readonly number[];
+  /**
+   * The edge of the larger voxel where two places are in voxels of two sizes, as in bricks of two levels, in edges of the finest one: values jump between
+   * these places. 0 where they don't; they never do if absent.
+   */
+  jumpBetween?(from: Vector3, to: Vector3): number;
 }
 
 /**

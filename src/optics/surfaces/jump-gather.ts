@@ -48,7 +48,8 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
       (differsInStyle(front, back) ? maxHiddenAtLabels : maxHidden) / wholeParts;
     const passes = ({ front, back }: Segment): boolean =>
       front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
-    const addPart = (segment: Segment, { sampleAt, turnsBetween }: Path): void => {
+    const addPart = (segment: Segment, path: Path): void => {
+      const { sampleAt, turnsBetween } = path;
       const { front, back, begin, span } = segment;
       const color = seeSegment(segment);
       const inner = [sampleAt(begin + span / 3), sampleAt(begin + (2 * span) / 3)];
@@ -65,9 +66,9 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
             .filter((turn) => turn > 0 && turn < 3)
             .map((turn) => (turn / 3) * span)
         : [];
-      lookCloser(segment, [...turns, ...labels.map((at) => at - begin)], sampleAt);
+      lookCloser(segment, [...turns, ...labels.map((at) => at - begin)], path);
     };
-    const lookCloser = (segment: Segment, turns: readonly number[], sampleAt: Path['sampleAt']): void => {
+    const lookCloser = (segment: Segment, turns: readonly number[], { sampleAt, jumpBetween }: Path): void => {
       const { begin, span } = segment;
       let [at, known, length] = [0, segment.front, span];
       for (let look = 0; at < span; look++) {
@@ -80,9 +81,12 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
           begin: begin + at,
           span: end - at,
         };
-        const color = seeSegment(piece);
+        // Between two levels of bricks values jump. They are taken to pass all values between on the way of a voxel, as they do in the whole volume.
+        const jump = voxel * (jumpBetween?.(begin + at, begin + end) ?? 0);
+        const color = seeSegment({ ...piece, span: Math.max(jump, piece.span) });
         const visible = 1 - gathered[3];
         const isHalved =
+          jump === 0 &&
           look < maxLooks &&
           visible > nothing &&
           end - at > span / 2 ** maxHalvings &&

@@ -75,7 +75,8 @@ export class BrickChoice {
     const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * this.bricks.count)));
     const doubts = this.#doubt(gains, isEnough && !isAsking ? key : '');
     return {
-      probes: [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
+      // Who has what the writer says need not look.
+      probes: isAsking ? [] : [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
       missing: isEnough ? [] : gains.rank(count, this.bricks.bytesOfBrick, (brick) => wish.isRefused(brick)),
       tooFine: [...this.bricks.bricks].filter(({ level }) => level < finest - levelsToSpare),
       isExchange: isFull && !isBetter,

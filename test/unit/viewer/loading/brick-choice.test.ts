@@ -53,6 +53,9 @@ describe('What a view in bricks asks for next', () => {
   it('waits for what the writer of the pyramid says, and leaves out what can not be read', () => {
     const { choice, choose } = makeChoice();
     expect(choose(1, { isAsking: true }).probes).to.deep.equal([]);
+    const unknown: Brick = { level: 1, at: [0, 0, 0] };
+    expect(choose(5, { isAsking: true }, [unknown]).probes).to.deep.equal([]);
+    expect(choose(5, {}, [unknown]).probes).to.deep.equal([unknown]);
     choice.leaveOut({ level: 0, at: [1, 0, 0] });
     const { probes } = choose(1, {}, [{ level: 0, at: [1, 0, 0] }]);
     expect(keysOf(probes)).to.include('0/0/0/0').and.not.include('0/1/0/0');
