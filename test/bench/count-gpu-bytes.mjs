@@ -27,10 +27,21 @@ export function countGpuBytes() {
   /** @type {Record<number, number>} */
   const sizes = { 0x1401: 1, 0x1406: 4, 0x140b: 2, 0x8d61: 2, 0x1405: 4, 0x1403: 2, 0x84fa: 4 };
   /**
-   * Bytes of a texel by sized format: R8, RG8, RGBA8, R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F.
+   * Bytes of a texel by sized format: R8, R8UI, RG8, RGBA8, R16F, RG16F, RGBA16F, R32F, RG32F, RGBA32F.
    * @type {Record<number, number>}
    */
-  const texels = { 0x8229: 1, 0x822b: 2, 0x8058: 4, 0x822d: 2, 0x822f: 4, 0x881a: 8, 0x822e: 4, 0x8230: 8, 0x8814: 16 };
+  const texels = {
+    0x8229: 1,
+    0x8232: 1,
+    0x822b: 2,
+    0x8058: 4,
+    0x822d: 2,
+    0x822f: 4,
+    0x881a: 8,
+    0x822e: 4,
+    0x8230: 8,
+    0x8814: 16,
+  };
   const bindings = { 0x0de1: 0x8069, 0x806f: 0x806a };
 
   for (const type of [WebGLRenderingContext, globalThis.WebGL2RenderingContext].filter(Boolean)) {

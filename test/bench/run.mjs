@@ -31,6 +31,7 @@ const programs = [
   'folder',
   'bricks',
   'bricked',
+  'bricked-peers',
   'soak',
   'many-bricked',
   'video',

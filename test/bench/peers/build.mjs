@@ -20,6 +20,14 @@ export async function preparePeers() {
 /** Bundle Cornerstone's loader, with its workers. */
 export const buildLoader = () => buildModules(['cornerstone']);
 
+/** Bundle vole-core, with its worker. @returns whether it is there */
+export async function buildVole() {
+  const isThere = existsSync(join(folder, 'node_modules/@aics/vole-core/package.json'));
+  if (isThere) await buildModules(['vole']);
+  else console.log('left out: vole-core is not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
+  return isThere;
+}
+
 const buildPeers = () => buildModules(peerNames);
 
 async function buildModules(/** @type {readonly string[]} */ names) {
