@@ -55,6 +55,8 @@ export class ResidentBricks implements FinerVoxels {
   /** Slots that there may be, and slots for which the GPU has memory. */
   capacity = Infinity;
   maxSlots = Infinity;
+  /** Called when the capacity may be another one: memory of the GPU that is not needed is given back at once, as other views wait for it. */
+  readonly fitted = new Set<() => void>();
   #current: { readonly volume: object; readonly cells: number; readonly now: object } | null = null;
   readonly #bricks = new Map<string, ResidentBrick>();
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
@@ -179,6 +181,11 @@ export class ResidentBricks implements FinerVoxels {
   /** From now on there are at most so many slots, and bricks: the last ones that came go, and those in other slots get another one. */
   fit(capacity: number): void {
     this.capacity = capacity;
+    this.#moveInto(capacity);
+    for (const shrink of this.fitted) shrink();
+  }
+
+  #moveInto(capacity: number): void {
     if (this.slots <= capacity) return;
     for (const brick of [...this.bricks].slice(capacity)) this.remove(brick);
     const moved = this.#bySlot.slice(capacity).filter((brick) => brick !== undefined);

@@ -47,9 +47,6 @@ const [ofNoise, ofUnknown] = [(2 / 3) ** 1.5, 0.85];
 /** A part of a brick is taken to have so many places more at which it is as rough as the whole. */
 const leastOfPart = 4;
 
-/** No less than this is left between voxels, however little bricks have shown. */
-const leastBetween = 0.1;
-
 /** An octave has at least this share and at most so many times the detail of the next coarser one. */
 const limits = [0.25, 8] as const;
 
@@ -76,9 +73,6 @@ export class ResidentDetail implements HiddenValues, DetailField {
   readonly #correlation: Float64Array;
   /** By level: how much of the residuals at voxels is left between them, where rays sample. */
   readonly #between: Float64Array;
-  /** By level: squares of what the writer said of its residuals, and of what bricks have shown of these between voxels. */
-  readonly #said: Float64Array;
-  readonly #shown: Float64Array;
   /** By level: the largest residual that was measured, in root mean squares of its brick. */
   readonly #peaks: Float64Array;
   /** By level, where no brick was measured: what it hides, in roughnesses of the volume. */
@@ -100,8 +94,6 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#squares = new Float64Array(this.levels);
     this.#correlation = new Float64Array(this.levels);
     this.#between = new Float64Array(this.levels);
-    this.#said = new Float64Array(this.levels);
-    this.#shown = new Float64Array(this.levels);
     this.#measured = new MeasuredDetail(bricks.layout);
     this.#usualRms = new Float64Array(this.levels);
     this.#usualMax = new Float64Array(this.levels);
@@ -177,11 +169,6 @@ export class ResidentDetail implements HiddenValues, DetailField {
             squaresOfPairs += ((value - shown) ** 2 + there ** 2) / 2;
           }
           squares += (value - shown) ** 2;
-          this.#check(place, {
-            brick,
-            shownBy: isFiner ? probe.level : this.#levelOf(shownBy),
-            square: (value - shown) ** 2,
-          });
           const part = partAt(inSlot.map((n) => (n - brickHalo) / brickSide));
           parts[part] += (value - shown) ** 2;
           counts[part]++;
@@ -204,17 +191,6 @@ export class ResidentDetail implements HiddenValues, DetailField {
     this.#coarse[brick.level] += before;
     this.#pairs[brick.level] += pairs;
     this.#squares[brick.level] += squaresOfPairs;
-  }
-
-  /** Compares what the writer said of a place with what a brick shows there. */
-  #check(
-    [x, y, z]: Vector3,
-    { brick, shownBy, square }: { readonly brick: Brick; readonly shownBy: number; readonly square: number },
-  ): void {
-    if (!this.#byTable) return;
-    const block = this.#byTable.blockAt(x, y, z);
-    this.#said[shownBy] += this.#byTable.rms(block, shownBy) ** 2 - this.#byTable.rms(block, brick.level) ** 2;
-    this.#shown[shownBy] += square;
   }
 
   #keepProbe(probe: Probe): void {
@@ -259,9 +235,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
       const along = isKnown ? Math.min(mostAlong, Math.max(0, pairs / squares)) : usualAlong;
       this.#correlation[level + 1] = 2 ** level * ((1 + along) / (1 - along));
       const smooth = Math.max(0, (along - usualAlong) / (1 - usualAlong));
-      const usual = isKnown ? ofNoise + (1 - ofNoise) * smooth : ofUnknown;
-      const [said, shown] = [this.#said[level + 1], this.#shown[level + 1]];
-      this.#between[level + 1] = said > 0 ? Math.min(1, Math.max(leastBetween, Math.sqrt(shown / said))) : usual;
+      this.#between[level + 1] = isKnown ? ofNoise + (1 - ofNoise) * smooth : ofUnknown;
     }
     this.#measured.update(growth, this.#peaks);
     let [squares, peak] = [0, maxOfRoughness / rmsOfRoughness];

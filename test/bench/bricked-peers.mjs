@@ -1,14 +1,12 @@
 // `npm run bench -- bricked-peers`: the stone of demos/large, as a pyramid on a server of this program, in bricks and in vole-core, which shows one level
 // as a whole: time, what is read, memory of the GPU, and how far the finished pictures are off. vole-core is not the project's: see peers/README.md.
 // VIEWS=whole leaves the other view out; SHIFT=3 has half as many voxels along each edge; PICTURES=folder writes the pictures.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { compileFunction } from 'node:vm';
-import { projectRoot } from '../../scripts/shared-data.mjs';
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { countGpuBytes } from './count-gpu-bytes.mjs';
 import { buildVole } from './peers/build.mjs';
+import { startStone } from './start-stone.mjs';
 import { formatMegabytes, printTable } from './table.mjs';
 
 /** Levels of the stone that are left out: with 2 the finest one has 1024 x 768 x 640 voxels. */
@@ -97,59 +95,6 @@ function makeTransferFunction() {
       .join('');
     return `${3 * i} #${hex} ${(100 * opacity).toFixed(3)}%`;
   }).join(', ');
-}
-
-/**
- * The stone on a server, under /<levels that are left out>/stone.ome.zarr. A chunk is computed when it is first asked for, and kept.
- * @returns {Promise<{ url: string, counts: { chunks: number, bytes: number }, close: () => void }>}
- */
-function startStone() {
-  /** @type {{ ask?: (event: { data: string }) => void, answer: string | Uint8Array | null }} */
-  const worker = { answer: null };
-  const source = readFileSync(join(projectRoot, 'demos/large/stone.js'), 'utf8');
-  compileFunction(source, ['addEventListener', 'postMessage'])(
-    (/** @type {string} */ _, /** @type {(event: { data: string }) => void} */ listener) => (worker.ask = listener),
-    (/** @type {string | Uint8Array | null} */ data) => (worker.answer = data),
-  );
-  /** @type {Map<string, string | Uint8Array | null>} */
-  const kept = new Map();
-  const find = (/** @type {string} */ path) => {
-    if (!kept.has(path)) {
-      worker.ask?.({ data: path });
-      kept.set(path, worker.answer);
-    }
-    return kept.get(path) ?? null;
-  };
-  const counts = { chunks: 0, bytes: 0 };
-  const server = createServer((request, response) => {
-    const [, leftOut, level, rest] = /^\/(\d)\/stone\.ome\.zarr\/(?:(\d)\/)?(.*)$/.exec(request.url ?? '') ?? [];
-    const found = find(level ? `${Number(level) + Number(leftOut)}/${rest}` : rest);
-    const body = found && (level ? found : describeFrom(String(found), Number(leftOut)));
-    if (rest?.startsWith('c/')) counts.chunks++;
-    counts.bytes += body?.length ?? 0;
-    response.writeHead(body ? 200 : 404, { 'access-control-allow-origin': '*', 'cache-control': 'no-store' }).end(body);
-  });
-  // It must not close a connection that waits while a chunk is computed.
-  server.keepAliveTimeout = 0;
-  return new Promise((resolve) =>
-    server.listen(0, '127.0.0.1', () => {
-      const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-      const close = () => {
-        server.close();
-        server.closeAllConnections();
-      };
-      resolve({ url: `http://127.0.0.1:${port}`, counts, close });
-    }),
-  );
-}
-
-/** The stone without its finest levels. @param {string} text - its zarr.json @param {number} leftOut */
-function describeFrom(text, leftOut) {
-  const group = JSON.parse(text);
-  const [image] = group.attributes.ome.multiscales;
-  image.datasets = image.datasets.slice(leftOut);
-  for (const [i, dataset] of image.datasets.entries()) dataset.path = String(i);
-  return JSON.stringify(group);
 }
 
 /**

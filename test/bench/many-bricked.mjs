@@ -3,28 +3,24 @@
 // is not final, fail it.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { countGpuBytes } from './count-gpu-bytes.mjs';
+import { startStone } from './start-stone.mjs';
 import { formatMegabytes, printTable } from './table.mjs';
 
 const counts = (process.env.VIEWS ?? '6,12,60').split(',').map(Number);
 const limit = 6e6;
 const maxError = 3;
 
-/** In the page. @param {{ base: string, count: number, limit: number, maxError: number }} asked */
-async function show({ base, count, limit: bytes, maxError: wanted }) {
+/** In the page. @param {{ base: string, src: string, count: number, limit: number, maxError: number }} asked */
+async function show({ base, src, count, limit: bytes, maxError: wanted }) {
   await import(`${base}dist/volume-view.js`);
-  const { serveStone } = /** @type {typeof import('./serve-stone.mjs')} */ (
-    await import(`${base}test/bench/serve-stone.mjs`)
-  );
-  const stone = serveStone(base, 4);
   const began = performance.now();
   /** @type {number[]} */
   const firsts = [];
   const views = Array.from({ length: count }, () => {
     const view = document.createElement('volume-view');
-    view.fetch = stone.fetch;
     for (const [name, value] of Object.entries({
       alt: 'A stone',
-      src: stone.folder,
+      src,
       'max-gpu-bytes': String(bytes),
       'max-error': String(wanted),
       'camera-orbit': '0deg 68deg 72%',
@@ -46,30 +42,41 @@ async function show({ base, count, limit: bytes, maxError: wanted }) {
   errors.sort((a, b) => a - b);
   const { in3d } = /** @type {any} */ (globalThis).gpuBytes();
   for (const view of views) view.remove();
-  stone.close();
   return {
     isFinal: isFinal(),
     firstMs: Math.max(...firsts),
     finalMs,
     errors,
     most: in3d.most,
-    chunks: stone.counts.chunks,
   };
 }
 
 export async function run() {
+  const stone = await startStone();
+  try {
+    await measure(stone);
+  } finally {
+    stone.close();
+  }
+}
+
+/** @param {Awaited<ReturnType<typeof startStone>>} stone */
+async function measure(stone) {
   await measurePackage(async ({ url, openPage, machine }) => {
     const rows = [];
+    // Chunks are computed when they are first asked for.
+    const src = `${stone.url}/4/stone.ome.zarr/`;
     for (const count of counts) {
       const page = await openPage('test/bench/empty.html', { before: countGpuBytes });
-      const found = await page.evaluate(show, { base: url, count, limit, maxError });
+      stone.counts.chunks = 0;
+      const found = await page.evaluate(show, { base: url, src, count, limit, maxError });
       await page.close();
       const { errors } = found;
       rows.push({
         views: count,
         'all first pictures, s': (found.firstMs / 1000).toFixed(1),
         'all final, s': (found.finalMs / 1000).toFixed(1),
-        chunks: found.chunks,
+        chunks: stone.counts.chunks,
         'most in 3D textures, MB': formatMegabytes(found.most),
         'error stated: median': errors[Math.floor(errors.length / 2)].toFixed(2),
         worst: errors[errors.length - 1].toFixed(2),

@@ -55,6 +55,7 @@ export class BrickTextures {
   ) {
     this.#shape = bricks.atlas;
     this.#table = shapeTable(bricks.layout);
+    bricks.fitted.add(this.#shrink);
   }
 
   get bytes(): number {
@@ -99,7 +100,14 @@ export class BrickTextures {
     };
   }
 
+  /** What the view may no longer have is given back before its next picture. */
+  readonly #shrink = (): void => {
+    const most = this.#layersOf(this.bricks.capacity);
+    if (this.#atlas && this.#layers > most) this.#resize(most);
+  };
+
   dispose(): void {
+    this.bricks.fitted.delete(this.#shrink);
     for (const texture of [this.#atlas, this.#pages]) this.gl.deleteTexture(texture);
     [this.#atlas, this.#pages] = [null, null];
   }
@@ -114,7 +122,6 @@ export class BrickTextures {
     const layers = this.#layersOf(bricks.slots);
     const most = this.#layersOf(bricks.capacity);
     if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
-    else if (this.#layers > most) this.#resize(most);
     for (let slot = 0; slot < bricks.slots; slot++) {
       const brick = bricks.inSlot(slot);
       if (brick && brick !== this.#written[slot]) this.#write(brick);
@@ -150,6 +157,8 @@ export class BrickTextures {
       this.bricks.fit(this.bricks.maxSlots);
     }
     finishUpload(this.#writeVolume());
+    // No brick is in it.
+    this.#changes = -1;
   }
 
   /** @returns whether there was memory for it */

@@ -44,6 +44,42 @@ describe('the atlas of bricks', () => {
     field.dispose();
   });
 
+  it('gives memory back at once, and has its bricks again with the next picture', () => {
+    const { gl, finer, field, atlasBytes, add } = makeAtlas();
+    finer.fit(4 * slotsOfLayer);
+    for (let n = 0; n <= slotsOfLayer; n++) add(n);
+    expect(atlasBytes()).to.equal(4 * layerBytes);
+    const [first] = finer.bricks;
+    finer.remove(first);
+    field.inputs();
+    const bytes = field.bytes;
+    finer.fit(slotsOfLayer);
+    expect(bytes - field.bytes).to.equal(3 * layerBytes);
+    expect(finer.bytesOnGpu).to.equal(field.bytes);
+    let writes = 0;
+    const native = gl.texSubImage3D.bind(gl);
+    gl.texSubImage3D = (...args: unknown[]) => {
+      if (args[5] === 34 && args[6] === 34 && args[7] === 34) writes++;
+      (native as (...all: unknown[]) => void)(...args);
+    };
+    field.inputs();
+    expect(writes).to.equal(slotsOfLayer);
+    field.inputs();
+    expect(writes, 'once').to.equal(slotsOfLayer);
+    // Also where no brick had to go.
+    finer.fit(2 * slotsOfLayer);
+    add(slotsOfLayer + 1);
+    for (const brick of [...finer.bricks].slice(-20)) finer.remove(brick);
+    field.inputs();
+    writes = 0;
+    finer.fit(slotsOfLayer);
+    field.inputs();
+    expect(writes).to.equal(finer.count);
+    field.dispose();
+    finer.fit(1);
+    expect(gl.getError()).to.equal(gl.NO_ERROR);
+  });
+
   it('stays where there is no memory for more, and the last bricks go', () => {
     const { gl, finer, field, all, atlasBytes, add } = makeAtlas();
     for (let n = 0; n < slotsOfLayer; n++) add(n);
