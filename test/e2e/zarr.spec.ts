@@ -47,6 +47,31 @@ for (const [name, made, faults] of [
     expect(server.running()).toBe(0);
   });
 
+test('one scene is made while the chunks of an OME-Zarr come, and the coarse picture is first', async ({ page }) => {
+  const server = await start(pyramidFiles({ ...pyramid, chunk: [3, 4, 4] }), { slowMs: 15 });
+  await page.addInitScript(() => {
+    const native = HTMLCanvasElement.prototype.getContext;
+    const contexts = new Set<unknown>();
+    Object.assign(globalThis, { contexts });
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
+      const context: unknown = Reflect.apply(native, this, args);
+      if (String(args[0]).startsWith('webgl')) contexts.add(context);
+      return context;
+    } as typeof native;
+    document.addEventListener('render', () => performance.mark('picture'), { capture: true, once: true });
+    document.addEventListener('load', () => performance.mark('whole'), { capture: true });
+  });
+  // With this, nothing is known of the volume before it has come.
+  await open(page, view(`src="${server.url}" transfer-function="0 #000 0%, 255 #fff 50%"`));
+  await settle(page);
+  const contexts = await page.evaluate(() => (globalThis as unknown as { contexts: Set<unknown> }).contexts.size);
+  // Two look at the device.
+  expect(contexts).toBeLessThanOrEqual(3);
+  const at = (name: string): Promise<number> =>
+    page.evaluate((mark) => performance.getEntriesByName(mark).at(-1)!.startTime, name);
+  expect(await at('picture')).toBeLessThan(await at('whole'));
+});
+
 test('an OME-Zarr in a ZIP archive is read by parts of it', async ({ page }) => {
   const parts = [...pyramidFiles({ ...pyramid, ...shards })].map(([path, packed]) => ({
     path,
