@@ -1,5 +1,6 @@
 import type { BrickLevel } from '../../bricks/brick-data.ts';
-import { atlasEdge, bytesOfCell } from '../../bricks/brick-layout.ts';
+import { atlasEdge } from '../../bricks/brick-layout.ts';
+import { bytesOfCell } from '../../bricks/page-table.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import { chooseGroupSide, groupsOf } from '../../bricks/cell-numbers.ts';
 import type { Vector3 } from '../../volume/matrix.ts';

@@ -1,17 +1,16 @@
 import { brickSide } from '../../bricks/brick-data.ts';
+import { brickHalo, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
+import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import {
-  brickHalo,
   bytesOfCell,
   layersOfTable,
   mostLayersOfTable,
   placeOfBlock,
-  placeOfSlot,
   shapeTable,
-  slotSide,
   tableBytes,
   tableDepth,
-} from '../../bricks/brick-layout.ts';
-import type { AtlasShape, TableShape } from '../../bricks/brick-layout.ts';
+} from '../../bricks/page-table.ts';
+import type { TableShape } from '../../bricks/page-table.ts';
 import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { allocateLike } from '../../volume/samples.ts';

@@ -1,6 +1,7 @@
 // The atlas of bricks grows and shrinks with its bricks, and stays as large as it is where the GPU has no memory for more.
 import { expect } from '@esm-bundle/chai';
-import { bytesOfCell, shapeAtlas } from '../../../../src/bricks/brick-layout.ts';
+import { shapeAtlas } from '../../../../src/bricks/brick-layout.ts';
+import { bytesOfCell } from '../../../../src/bricks/page-table.ts';
 import { uploadBricks } from '../../../../src/renderer/ray/modules/bricks.ts';
 import { finishUpload } from '../../../../src/renderer/textures/fill-texture.ts';
 import { describe as describeDevice } from '../../../../src/renderer/probes/probe-device.ts';
