@@ -1,5 +1,4 @@
 // What volume-view-prepare writes next to a pyramid: how far its levels are from the finest one. See docs/guide/prepare.md
-import { VolumeViewError } from '../../core/errors.ts';
 import type { LevelResiduals, ResidualTable } from '../../bricks/residuals.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { Budget } from '../base/budget.ts';
@@ -38,8 +37,8 @@ interface ResidualReading {
 
 /**
  * Reads the table of a pyramid.
- * @returns in stored values of the store, with its levels; null where the pyramid has none
- * @throws {VolumeViewError} `format/corrupt` for what can not be true, `format/too-large` for one that has more than 64 MiB, `format/unsupported`, `source/…`
+ * @returns in stored values of the store, with its levels; null where the pyramid has none, or more than 64 MiB
+ * @throws {VolumeViewError} `format/corrupt` for what can not be true, `format/unsupported`, `source/…`
  */
 export async function readResiduals(
   tree: Pick<FileTree, 'read'>,
@@ -61,12 +60,8 @@ export async function readResiduals(
     );
   const blocks = all[0].dimensions.map((n) => Math.ceil(n / side)) as unknown as Vector3;
   const total = blocks[0] * blocks[1] * blocks[2];
-  const bytes = 4 * total * 2 * levels.length;
-  if (bytes > maxBytes)
-    throw new VolumeViewError(
-      'format/too-large',
-      `${what} has ${total.toLocaleString('en')} blocks; expected at most ${maxBytes / 2 ** 20} MiB of them`,
-    );
+  // Views of such a pyramid learn from the bricks that come, as of one without a table.
+  if (4 * total * 2 * levels.length > maxBytes) return null;
   const read = (name: string): Promise<Float32Array<ArrayBuffer>> => readNumbers(tree, name, blocks, opening);
   const low = await read('min');
   const high = await read('max');
