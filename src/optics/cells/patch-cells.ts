@@ -22,9 +22,11 @@ export function boundGradients({
     high,
   },
   slope,
-  grid,
+  grid: coarse,
+  finer,
   hasNoData,
 }: VolumeData): Float32Array {
+  const grid = finer?.finest ?? coarse;
   const m = normalsToWorld(grid);
   const axes = [0, 1, 2].map((axis) => [m[axis], m[4 + axis], m[8 + axis]]);
   // An upper bound of the length of the image of any change of at most 1 along each axis: all products of the axes are summed; for a

@@ -22,7 +22,7 @@ export type StyleRange = (low: number, high: number) => StyleChange;
 
 /** A volume and its style. */
 export interface StyledAppearance {
-  readonly volume: Pick<VolumeData, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
+  readonly volume: Pick<VolumeData, 'range' | 'finer'> & { readonly grid: GridFrame & { readonly kind?: string } };
   readonly transferFunction: TransferFunction;
   readonly referenceLength: number;
 }
@@ -47,7 +47,7 @@ export function rangeStyles(chains: readonly StyleChain[], appearance: StyledApp
   const { volume, transferFunction, referenceLength } = appearance;
   const flat = flatChange(domainOf(transferFunction), volume.range);
   const change = changeAmong(volume);
-  const toChange = perReferenceLength(volume.grid, referenceLength) / flat;
+  const toChange = perReferenceLength(volume.finer?.finest ?? volume.grid, referenceLength) / flat;
   const all = chains.map(({ weight, styles }) => {
     const table = buildStyleTable(styles);
     const [byFacing, byChange, byReach] = [0, 1, 2].map((channel) => extremes(table, channel));

@@ -92,8 +92,9 @@ export class VolumeLayer {
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
+  /** With the values that are there now of its finer voxels: another object when these have changed, so that what is made of them is made again. */
   get volume(): VolumeData | null {
-    return this.#volume;
+    return this.#volume?.finer?.current(this.#volume) ?? this.#volume;
   }
 
   /** Null until there is a volume. */
@@ -268,7 +269,7 @@ export class VolumeLayer {
     const optics = this.#optics;
     return !optics || this.#isUsual(optics)
       ? []
-      : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
+      : this.#classifiers!.modulesFor(this.volume!, this.#field!, optics, looks);
   }
 
   #slicesOf(volume: VolumeData): SliceModule[] {
@@ -334,7 +335,7 @@ export class VolumeLayer {
 
   /** Which macrocells show something, and what they show; null without a volume or optics. */
   whatIsSeen(): SeenVolume | null {
-    const volume = this.#volume;
+    const { volume } = this;
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
@@ -357,12 +358,12 @@ export class VolumeLayer {
       modules
         .map((module) => module.contributes?.(this.optics!))
         .filter((one): one is Contribution => one !== undefined);
-    return this.#attached?.widen(this.#volume!, all) ?? all;
+    return this.#attached?.widen(this.volume!, all) ?? all;
   }
 
   /** The volume as the code that skips empty space reads it. */
   get #opened(): VolumeData {
-    const volume = this.#volume!.finer?.current(this.#volume!) ?? this.#volume!;
+    const volume = this.volume!;
     return this.#attached?.open(volume) ?? volume;
   }
 

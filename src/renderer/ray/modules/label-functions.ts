@@ -97,7 +97,7 @@ export class LabelFunctions {
       volume,
       domain: [from, to],
     } = frame;
-    const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
+    const voxelRatio = (finestSpacing(volume.finer?.grid ?? volume.grid) / referenceLength) * opacityFactor;
     const all = [transferFunction, ...functions];
     // The shader does not read the table if only cells cut steps.
     const unit =
@@ -143,7 +143,7 @@ export const groupsTwin = (functions: readonly TransferFunction[]): RayTwin =>
   twinOf(usualTwins, ({ classifyPicture, groupClassify }, { volume, optics, rays }, { field }) => ({
     classify: groupClassify(
       [optics.transferFunction, ...functions].map((transferFunction) =>
-        classifyPicture({ ...optics, transferFunction }, volume.grid, rays.diameter, field),
+        classifyPicture({ ...optics, transferFunction }, volume.finer?.grid ?? volume.grid, rays.diameter, field),
       ),
     ),
   }));

@@ -58,7 +58,7 @@ export function opticalUniforms({
 const largestFactor = 1e30;
 
 export const classifyTwin = twinOf(usualTwins, ({ classifyPicture }, { volume, optics, rays }, { field }) => ({
-  classify: classifyPicture(optics, volume.grid, rays.diameter, field),
+  classify: classifyPicture(optics, volume.finer?.grid ?? volume.grid, rays.diameter, field),
 }));
 
 /** The transfer function gives colour and opacity: with pre-integration, and with substeps where a step may show much. */
@@ -78,7 +78,7 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
       // The shader does not read the table if only cells cut steps.
       if (frame.maxSubsteps <= 1)
         return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
-      const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
+      const voxelRatio = (finestSpacing(volume.finer?.grid ?? volume.grid) / referenceLength) * opacityFactor;
       const unit = substeps.get([transferFunction, lightFactor, voxelRatio], (last) =>
         substepPart().makeTable(gl, brighten(transferFunction, lightFactor), voxelRatio, last?.texture ?? null),
       );
