@@ -27,11 +27,13 @@ export interface MeasuredBrick extends Brick, Pick<BrickSamples, 'samples'> {
 /** @param last - is inside */
 export type ShownBricks = (first: Vector3, last: Vector3, meet: (brick: MeasuredBrick | undefined) => void) => void;
 
-/** The values of some places: stored units; roughness from one voxel of the finest level to the next. */
+/** The values of some places: stored units; roughness from one voxel of the finest level to the next, whose length is 1. */
 interface Values {
   low: number;
   high: number;
   roughness: number;
+  /** The length of the shortest voxel. */
+  length: number;
 }
 
 /**
@@ -42,6 +44,8 @@ export class BrickCells {
   readonly macrocells: Macrocells;
   /** From one voxel of the finest level to the next. */
   readonly #roughness: Float32Array;
+  /** Of the shortest voxel that is shown. */
+  readonly #shortest: Float32Array;
   /** What the volume alone has. */
   readonly #own: Macrocells;
   /** The shortest edge of a voxel of each level, and of the volume: as a multiple of that of the finest level. Steps are counted by it, too. */
@@ -61,7 +65,14 @@ export class BrickCells {
     this.#length = finestSpacing(volume.grid) / finest;
     this.#own = measureVolume(volume, chooseSize(volume.grid.dimensions, layout.finest.dimensions));
     const { low, high, roughness } = this.#own;
-    this.macrocells = { ...this.#own, low: low.slice(), high: high.slice(), roughness: roughness.slice() };
+    this.macrocells = {
+      ...this.#own,
+      low: low.slice(),
+      high: high.slice(),
+      roughness: roughness.slice(),
+      longer: new Uint8Array(low.length),
+    };
+    this.#shortest = new Float32Array(low.length).fill(this.#length);
     this.#roughness = roughness.map((rough) => rough / this.#length);
     this.#changed = new Uint8Array(low.length);
     this.#first = low.length;
@@ -86,18 +97,27 @@ export class BrickCells {
    * @returns whether any macrocell has changed
    */
   update(shown: ShownBricks, level: number): boolean {
-    const { dimensions, low, high, roughness } = this.macrocells;
+    const { dimensions, low, high, roughness, longer } = this.macrocells;
     const sampled = this.#lengths[level] ?? this.#length;
     const isFiner = sampled !== this.#sampled;
+    if (!isFiner && this.#first >= low.length) return false;
     let changes = false;
     for (let at = isFiner ? 0 : this.#first; at < low.length; at++) {
       const values = this.#changed[at] === 1 ? this.#valuesOf(at, dimensions, shown) : null;
       if (!values && !isFiner) continue;
-      const before = [low[at], high[at], roughness[at]];
-      if (values) [low[at], high[at], this.#roughness[at]] = [values.low, values.high, values.roughness];
+      const before = [low[at], high[at], roughness[at], longer![at]];
+      if (values)
+        [low[at], high[at], this.#roughness[at], this.#shortest[at]] = [
+          values.low,
+          values.high,
+          values.roughness,
+          values.length,
+        ];
       const all = (high[at] - low[at]) / offLine;
       roughness[at] = all > 0 ? Math.min(all, sampled * this.#roughness[at]) : 0;
-      changes ||= before[0] !== low[at] || before[1] !== high[at] || before[2] !== roughness[at];
+      longer![at] = powerWithin(this.#shortest[at] / sampled);
+      const now = [low[at], high[at], roughness[at], longer![at]];
+      changes ||= now.some((value, n) => value !== before[n]);
     }
     this.#changed.fill(0);
     this.#first = low.length;
@@ -120,7 +140,7 @@ export class BrickCells {
     const [low, high] = this.#boxOf(at, cells);
     const first = cellOfPlace(this.layout, low);
     const last = cellOfPlace(this.layout, high);
-    const found: Values = { low: Infinity, high: -Infinity, roughness: 0 };
+    const found: Values = { low: Infinity, high: -Infinity, roughness: 0, length: Infinity };
     const seen = new Set<MeasuredBrick | undefined>();
     shown(first, last, (brick) => {
       if (seen.has(brick)) return;
@@ -129,17 +149,21 @@ export class BrickCells {
       else this.#addOwn(found, at);
     });
     // Stored values of whole numbers can not say that there are none.
-    return found.low <= found.high ? found : { low: this.#own.low[at], high: this.#own.high[at], roughness: 0 };
+    return found.low <= found.high
+      ? found
+      : { low: this.#own.low[at], high: this.#own.high[at], roughness: 0, length: found.length };
   }
 
   #addOwn(found: Values, at: number): void {
     const { low, high, roughness } = this.#own;
+    found.length = Math.min(found.length, this.#length);
     add(found, low[at], high[at], roughness[at] / this.#length);
   }
 
   #addBlocks(found: Values, brick: MeasuredBrick, box: readonly [Vector3, Vector3]): void {
     brick.blocks ??= measureBlocks(brick.samples);
     const { low, high, roughness } = brick.blocks;
+    found.length = Math.min(found.length, this.#lengths[brick.level]);
     const frame = this.layout.levels[brick.level];
     const [first, last] = box.map((place) => place.map((x, axis) => clampBlock(blockAt(frame, brick.at, axis, x))));
     for (let k = first[2]; k <= last[2]; k++)
@@ -181,6 +205,9 @@ function chooseSize(dimensions: Vector3, finest: Vector3): number {
   while ((size / 2) * voxels >= cellSize && count(size / 2) <= maxCells) size /= 2;
   return size;
 }
+
+/** The largest power of two that is not above a ratio, rounding aside: as many as a byte of a cell's code has room for. */
+const powerWithin = (ratio: number): number => Math.min(15, Math.max(0, Math.floor(Math.log2(ratio) + 0.01)));
 
 const blockAt = ({ scale, shift }: LevelFrame, at: Vector3, axis: number, x: number): number =>
   (x * scale[axis] + shift[axis] - brickSide * at[axis]) / blockSide;

@@ -1,6 +1,5 @@
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { brighten } from './transfer/brighten.ts';
 import { labelShade } from './attachments/labels.ts';
@@ -44,7 +43,7 @@ export interface ReferenceScene extends OpticalFactors {
   /** A step is cut into at most this many substeps; if absent, the limit of the shader. */
   readonly maxSubsteps?: number;
   /** See `RayStages`. */
-  readonly minSubsteps?: (place: Vector3) => number;
+  readonly minSubsteps?: RayStages['minSubsteps'];
   /** The field that rays sample; if absent, the samples on the grid. */
   readonly field?: FieldStage;
   /** More fields at each place, and how they change what is visible. */

@@ -1,4 +1,4 @@
-import { cellsAtOnce, detailCodes, measureMissable } from '../optics/cells/cell-detail.ts';
+import { cellsAtOnce, measureMissable, readCode } from '../optics/cells/cell-detail.ts';
 import type { SeenVolume } from '../optics/cells/cell-detail.ts';
 import type { ProjectedRays } from '../optics/rays/ray-style.ts';
 import { evaluate, largestOpacity } from '../optics/transfer/transfer-function.ts';
@@ -43,20 +43,23 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
  * How much brighter or darker, 0..1, a single thing between two samples could make a pixel: the largest value of all cells in which
  * something is visible. It bounds what no probe has met.
  * @param samplesAVoxel - steps per voxel; below 1, a step that meets a thing also counts it as longer than it is
- * @param codes - which of `detailCodes` each cell is sampled with; if absent, no step is cut, as where the author gives the steps:
+ * @param codes - how finely each cell is sampled, see `readCode`; if absent, no step is cut, as where the author gives the steps:
  * these are cut by the samples at their ends, which do not show what lies between
  */
 export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   // How far the colours of channels are apart where their brightness is not, is not known.
   if (seen.volume.channels && seen.cells.includes(1)) return 1;
   const missable = measureMissable(seen, 'among');
-  const wanted = (cell: number): number =>
-    codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : samplesAVoxel;
+  const samplesIn = (cell: number): number => {
+    if (!codes) return samplesAVoxel;
+    const { samples, longer } = readCode(codes[cell]);
+    return Math.max(samplesAVoxel, Math.min(samples, maxSubsteps * samplesAVoxel)) / longer;
+  };
   let max = 0;
   for (let cell = 0; cell < seen.cells.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
-    const samples = Math.max(samplesAVoxel, wanted(cell));
+    const samples = samplesIn(cell);
     if (missable(cell, samples, true) > max) max = Math.max(max, missable(cell, samples));
   }
   return max;

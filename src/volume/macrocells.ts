@@ -23,6 +23,8 @@ export interface Macrocells {
    * along any axis, or more; stored units. See `buildMacrocells`.
    */
   readonly roughness: Float32Array<ArrayBuffer>;
+  /** The power of two by which voxels shown in a cell are longer than the shortest that are shown anywhere, or less; absent: all have one length. */
+  readonly longer?: Uint8Array;
 }
 
 /** A cell that is this rough, as a share of its range, gets a roughness that makes its whole range count. */

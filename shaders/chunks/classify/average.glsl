@@ -36,11 +36,6 @@ bool isSettled(Gathered gathered) {
   return false;
 }
 
-/// Rays skip only cells without data.
-Ahead lookAhead(CellRay cells, float number, Gathered gathered) {
-  return lookIntoCell(cells, number);
-}
-
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   return 1.0;
 }

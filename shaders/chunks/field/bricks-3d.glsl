@@ -34,6 +34,22 @@ uniform vec3 uPlaneVoxels;
 /// Voxels along the unit cube, of what is shown at the last place that `inAtlas` was asked for.
 vec3 voxelScale;
 
+/// What is known of the cell that a ray has looked into last: how many times as long as those of the finest level of which there are bricks its voxels are at least,
+/// samples for each of them, and whole steps that are left in it.
+float longer = 1.0;
+float samplesPerVoxel = 1.0;
+float toWall = 0.0;
+
+/// The distance of samples in a cell, in steps; code: of the cell, 4 more for each doubling of the length of its voxels; within: whole steps that are left in it;
+/// power: uDetailPower, which is far below 0 where cells do not matter. Twin: optics/cells/min-substeps.ts
+float spacingOf(float code, float power, float within) {
+  int known = int(code + 0.5);
+  samplesPerVoxel = float(1 << int(clamp(float(known & 3) + power, 0.0, 3.0) + 0.5));
+  longer = power < -4.5 ? 1.0 : float(1 << (known >> 2));
+  toWall = max(1.0, within);
+  return min(longer / samplesPerVoxel, toWall);
+}
+
 /// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation needs, also at the ends of a level.
 vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
@@ -42,6 +58,15 @@ vec3 inAtlas(vec3 p) {
   if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
   voxelScale = uLevelScales[int(page.w)];
   return place * voxelScale + page.xyz;
+}
+
+/// Where a line meets the next plane of voxel centres of what is shown at a place of it. Places are lengths; forward: how far a unit of length moves it.
+float meetPlane(vec3 origin, vec3 forward, float at) {
+  vec3 place = inAtlas(origin + forward * at) - 0.5;
+  vec3 way = forward * voxelScale;
+  vec3 ahead = sign(way) * place;
+  vec3 lengths = (floor(ahead) + 1.0 - ahead) / max(abs(way), vec3(1.0e-9));
+  return at + min(min(lengths.x, lengths.y), lengths.z);
 }
 
 #define IN_VOXELS(p) inAtlas(p)

@@ -67,20 +67,22 @@ void gatherPart(Path path, float from, float to, Sample front, Sample back, inou
   if (!gathered.waits) gathered.color += seen;
 }
 
-/// How long the way of a jump of the value between two places of the unit cube is taken to be: a voxel of the coarser one of two levels of bricks, as values pass
-/// all between on such a way in the whole volume. 0 where there is no jump.
-float jumpBetween(vec3 from, vec3 to) {
-#ifdef BRICKS
-  inAtlas(from);
-  float scale = voxelScale.x;
-  inAtlas(to);
-  return scale == voxelScale.x ? 0.0 : uVoxelLength * PLANE_VOXELS.x / min(scale, voxelScale.x);
-#else
-  return 0.0;
-#endif
+/// How long the way of a jump of the value is taken to be: a voxel of the coarser one of two levels of bricks, as values pass all between on such a way in the whole
+/// volume. 0 where there is no jump. one, other: voxels along the unit cube of what is shown at two places.
+float jumpBetween(float one, float other) {
+  return one == other ? 0.0 : uVoxelLength * PLANE_VOXELS.x / min(one, other);
 }
 
-/// Cut a part at the turning points of the cubic through it and where another label may show, and halve the pieces that hide much or pass a value.
+#ifdef BRICKS
+#define SHOWN_SCALE voxelScale.x
+#define LOOK_UP(p) inAtlas(p)
+#else
+#define SHOWN_SCALE 1.0
+#define LOOK_UP(p)
+#endif
+
+/// Cut a part at the turning points of the cubic through it and where another label may show, and halve the pieces that hide much, pass a value, or in which
+/// values jump.
 void lookCloser(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
@@ -92,6 +94,10 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
   turns = turnsOnce ? from + (to - from) * turns / 3.0 : vec2(from);
   float smallest = (to - from) * MIN_SHARE;
   float label = from + (to - from) * labelTurn(path.origin + path.forward * from, path.origin + path.forward * to);
+  LOOK_UP(path.origin + path.forward * to);
+  float lastScale = SHOWN_SCALE;
+  LOOK_UP(path.origin + path.forward * from);
+  float frontScale = SHOWN_SCALE;
   float at = from;
   float span = to - from;
   for (int i = 0; i <= MAX_LOOKS; i++) {
@@ -102,17 +108,23 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     if (turns.y > at && !isLast) end = min(end, turns.y);
     if (label > at && !isLast) end = min(end, label);
     Sample next = back;
-    if (end < to) next = sampleField(path.origin + path.forward * end);
+    float scale = lastScale;
+    if (end < to) {
+      next = sampleField(path.origin + path.forward * end);
+      scale = SHOWN_SCALE;
+    }
     float visible = 1.0 - gathered.color.a;
-    float jump = jumpBetween(path.origin + path.forward * at, path.origin + path.forward * end);
-    vec4 seen = visible * seeSegment(Segment(front, next, at, max(jump, end - at), visible));
-    if (!isLast && jump == 0.0 && end - at > smallest && (seen.a > limitOf(front, next) || passes(front, next))) {
+    float jump = jumpBetween(frontScale, scale);
+    bool isShort = isLast || end - at <= smallest;
+    vec4 seen = visible * seeSegment(Segment(front, next, at, isShort ? max(jump, end - at) : end - at, visible));
+    if (!isShort && (jump > 0.0 || seen.a > limitOf(front, next) || passes(front, next))) {
       span = 0.5 * (end - at);
     } else {
       gathered.color += seen;
       span = 2.0 * (end - at);
       at = end;
       front = next;
+      frontScale = scale;
       if (at >= to || isOpaque(gathered)) break;
     }
   }

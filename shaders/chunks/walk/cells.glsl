@@ -18,7 +18,7 @@ struct CellRay {
 struct Ahead {
   /// Whole steps that can't change what is gathered; below 1 if there are none.
   float skipped;
-  /// The maximum distance of samples on the step that begins there, as a share of the step: 1, a half, a quarter or an eighth.
+  /// The maximum distance of samples that begin there, in steps: 1, a half, a quarter or an eighth; more only in bricks of coarser levels.
   float spacing;
 };
 
@@ -37,17 +37,12 @@ vec2 placeOfCell(vec3 cell) {
   return texel * uCellMosaic.zw;
 }
 
-/// How many steps, from a place on the ray, stay within a number of rings of cells around the cell of that place.
-float stepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
+/// How many whole steps, from a place on the ray, stay within a number of rings of cells around the cell of that place.
+float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   vec3 wall = cell + mix(vec3(1.0 - rings), vec3(rings), ray.up);
   vec3 steps = (wall - place) * ray.stepsPerCell;
-  return min(min(steps.x, steps.y), steps.z);
-}
-
-/// The same, in whole steps.
-float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   // A margin of a hundredth of a step allows for rounding.
-  return floor(stepsWithin(ray, place, cell, rings) - 0.01);
+  return floor(min(min(steps.x, steps.y), steps.z) - 0.01);
 }
 
 /// The cell that a place on the ray is in.

@@ -36,7 +36,15 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
           at = begin;
         }
         end = passNext(limit, walk);
-        left = parts / ahead.spacing;
+        left = parts / min(1.0, ahead.spacing);
+#ifdef BRICKS
+        if (longer > 1.0) {
+          // Planes of longer voxels, and the wall of the cell in which all are so long.
+          end = min(limit, min(meetPlane(path.origin, path.forward, at + 0.1 * unit), at + toWall * unit));
+          standAt(end, walk);
+          left = parts * samplesPerVoxel;
+        }
+#endif
         part = (end - at) / left;
       }
       to = left > 1.5 ? at + part : end;

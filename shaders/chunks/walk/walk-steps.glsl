@@ -11,8 +11,8 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   float begin = 0.0;
   // The place of the next sample, in steps and as a length; then the begin of the segment that ends there, and its span.
   bool skips = ahead.skipped > 0.5;
-  float spacing = ahead.spacing;
-  float number = skips ? ahead.skipped : spacing;
+  float spacing = max(ahead.spacing, ahead.skipped);
+  float number = min(steps, spacing);
   float inLast = max(0.0, number - steps + 1.0);
   float at = (number - inLast) * uStepLength + inLast * lastLength;
   float from = 0.0;
@@ -36,9 +36,9 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     isEnd = number >= steps;
     bool isWhole = fract(number) == 0.0;
     skips = isWhole && ahead.skipped > 0.5;
-    if (isWhole) spacing = ahead.spacing;
+    if (isWhole) spacing = max(ahead.spacing, ahead.skipped);
     from = at;
-    number += skips ? ahead.skipped : spacing;
+    number = min(steps, number + spacing);
     inLast = max(0.0, number - steps + 1.0);
     at = begin + ((number - inLast) * uStepLength + inLast * lastLength);
     span = skips ? 0.0 : at - from;

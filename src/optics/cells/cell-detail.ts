@@ -54,8 +54,21 @@ const unstyled = { max: 1, apart: 0 };
 /** Number of cells that are processed between two pauses. This takes a few milliseconds. */
 export const cellsAtOnce = 2 ** 14;
 
-/** Samples per voxel that a cell may need. The code of a cell is the power of two. */
+/** Samples per voxel that a cell may need. */
 export const detailCodes = [1, 2, 4, 8] as const;
+
+/** How finely a macrocell has to be sampled. */
+export interface CellDetail {
+  /** One of `detailCodes`: samples for each voxel that is shown in it. */
+  readonly samples: number;
+  /** The length of these voxels, where the volume's own are 1: a power of two. More only where bricks of coarser levels are shown. */
+  readonly longer: number;
+}
+
+/** What the byte of a cell means: its lower two bits are the power of the samples, the other ones that of the length. */
+export function readCode(code: number): CellDetail {
+  return { samples: 2 ** (code & 3), longer: 2 ** (code >> 2) };
+}
 
 /**
  * How much brighter or darker, 0..1, a single thing in each cell could make a pixel than samples at a given number per voxel show.
@@ -97,22 +110,23 @@ export function measureMissable(
 /**
  * How finely each cell has to be sampled so that nothing in it is lost.
  * @param lost - how much of a thing may be lost, 0..1
- * @returns a byte per cell: which of `detailCodes` it needs
+ * @returns a byte per cell, see `readCode`
  */
 export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<ArrayBuffer>> {
   const missable = measureMissable(seen, 'offLine');
   const found = findsIn(seen);
+  // Labels and layers may have smaller voxels.
+  const longer = seen.more || seen.functions ? undefined : seen.volume.macrocells.longer;
   const codes = new Uint8Array(seen.cells.length);
   for (let cell = 0; cell < codes.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
-    const code = detailCodes.findIndex(
-      (samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost,
+    const power = longer?.[cell] ?? 0;
+    const code = detailCodes.findIndex((samples) =>
+      [true, false].some((isQuick) => missable(cell, samples / 2 ** power, isQuick) <= lost),
     );
-    codes[cell] = Math.min(
-      code < 0 ? detailCodes.length - 1 : code,
-      found(cell) ? codeToAppearance : detailCodes.length - 1,
-    );
+    const most = found(cell) ? codeToAppearance : detailCodes.length - 1;
+    codes[cell] = (code < 0 ? most : Math.min(code, most)) + 4 * power;
   }
   return codes;
 }

@@ -40,17 +40,20 @@ export function measureEmptySpace(
   return farthest;
 }
 
-/** Number of codes of cells in which something is visible: as many as `detailCodes` in optics/cells/cell-detail.ts. */
-export const cellCodes = 4;
+/** The largest code of a cell in which something is visible: see `readCode` in optics/cells/cell-detail.ts. */
+export const lastCode = 63;
 
 /**
  * What the shader reads for each cell: how far it is from anything visible or, if something in it is visible, how finely to sample it.
  * @param distances - from `measureEmptySpace`; they are overwritten
- * @param codes - below `cellCodes`; if absent, all are 0
+ * @param codes - up to `lastCode`; if absent, all are 0
  */
-export function encodeCells(distances: Uint8Array<ArrayBuffer>, codes?: Uint8Array): Uint8Array<ArrayBuffer> {
+export function encodeCells(
+  distances: Uint8Array<ArrayBuffer>,
+  codes: Uint8Array = distances,
+): Uint8Array<ArrayBuffer> {
   for (let cell = 0; cell < distances.length; cell++) {
-    distances[cell] = distances[cell] > 0 ? Math.min(maxRings, distances[cell] + cellCodes - 1) : (codes?.[cell] ?? 0);
+    distances[cell] = distances[cell] > 0 ? Math.min(maxRings, distances[cell] + lastCode) : codes[cell];
   }
   return distances;
 }

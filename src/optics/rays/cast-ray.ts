@@ -53,7 +53,7 @@ function sampleAll(field: FieldStage, moreFields: readonly SecondFieldStage[], p
   return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
 }
 
-function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
+function pathOf({ field, moreFields, minSubsteps, step }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
   const isWhole = !gap || exit <= gap[0];
   const spans: [number, number][] = isWhole
     ? [[entry, exit]]
@@ -64,7 +64,7 @@ function pathOf({ field, moreFields, minSubsteps }: RayStages, ray: Ray, { entry
     total: pieces[pieces.length - 1][1],
     pieces,
     sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
-    minSubstepsAt: minSubsteps && ((along) => minSubsteps(placeAt(along))),
+    minSubstepsAt: minSubsteps && ((along) => minSubsteps(placeAt(along), scale(ray.direction, step / ray.lengthPerT))),
     kinksAlong:
       field.kinksAlong &&
       ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
@@ -107,13 +107,16 @@ function walkPiece(
 ): void {
   const count = countSteps(to - from, step);
   let front = sampleAt(from);
-  for (let i = 0; i < count; i++) {
+  for (let i = 0, next = 0; i < count; i = next) {
     const begin = from + i * step;
-    const end = i < count - 1 ? begin + step : to;
+    const min = minSubstepsAt?.(begin) ?? 1;
+    // Steps that the samples at their ends may cut are not taken together.
+    next = maxSubsteps > 1 ? i + 1 : Math.min(count, i + Math.max(1, Math.round(1 / min)));
+    const end = next < count ? from + next * step : to;
     const last = sampleAt(end);
     const wanted =
       maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
-    const substeps = Math.max(wanted, minSubstepsAt?.(begin) ?? 1);
+    const substeps = Math.max(wanted, min);
     const span = (end - begin) / substeps;
     for (let substep = 1; substep <= substeps; substep++) {
       const back = substep < substeps ? sampleAt(begin + substep * span) : last;

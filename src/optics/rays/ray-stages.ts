@@ -44,7 +44,7 @@ export interface Path {
   /** One piece, or two if a part of the path is cut out. */
   readonly pieces: readonly (readonly [begin: number, end: number])[];
   sampleAt(along: number): Sample;
-  /** The smallest number of substeps of a step that begins at this place; 1 if absent. */
+  /** The smallest number of substeps of a step that begins at this place, see `RayStages`; 1 if absent. */
   minSubstepsAt?(along: number): number;
   /** Where values kink between two places, see `FieldStage.kinksAlong`; absent if this is not known. */
   kinksAlong?(from: number, to: number): readonly number[];
@@ -151,6 +151,10 @@ export interface RayStages {
   readonly step: number;
   /** A step is cut into at most this many substeps. */
   readonly maxSubsteps: number;
-  /** The smallest number of substeps of a step, by the macrocell in which it begins. @param place - in the unit cube */
-  readonly minSubsteps?: (place: Vector3) => number;
+  /**
+   * The smallest number of substeps of a step, by the macrocell in which it begins; below 1, as many steps are taken as one as it goes into 1.
+   * @param place - in the unit cube
+   * @param forward - how far a step moves it
+   */
+  readonly minSubsteps?: (place: Vector3, forward: Vector3) => number;
 }

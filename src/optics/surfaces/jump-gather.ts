@@ -81,17 +81,12 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
           begin: begin + at,
           span: end - at,
         };
-        // Between two levels of bricks values jump. They are taken to pass all values between on the way of a voxel, as they do in the whole volume.
         const jump = voxel * (jumpBetween?.(begin + at, begin + end) ?? 0);
-        const color = seeSegment({ ...piece, span: Math.max(jump, piece.span) });
+        const isShort = look >= maxLooks || end - at <= span / 2 ** maxHalvings;
+        // Between two levels of bricks values jump. They are taken to pass all values between on the way of a voxel, as they do in the whole volume.
+        const color = seeSegment(isShort ? { ...piece, span: Math.max(jump, piece.span) } : piece);
         const visible = 1 - gathered[3];
-        const isHalved =
-          jump === 0 &&
-          look < maxLooks &&
-          visible > nothing &&
-          end - at > span / 2 ** maxHalvings &&
-          (visible * color[3] > limitOf(piece) || passes(piece));
-        if (isHalved) {
+        if (!isShort && visible > nothing && (jump > 0 || visible * color[3] > limitOf(piece) || passes(piece))) {
           length = (end - at) / 2;
           continue;
         }
@@ -102,7 +97,7 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
     return {
       add: (segment) => take(segment, seeSegment(segment)),
       addPiece: ({ from, to, front, back }: CubicPiece, path) => {
-        const parts = wholeParts * (path.minSubstepsAt?.(from) ?? 1);
+        const parts = wholeParts * Math.max(1, path.minSubstepsAt?.(from) ?? 1);
         let known = front;
         for (let n = 0; n < parts; n++) {
           const [begin, end] = [n, n + 1].map((part) => from + (part / parts) * (to - from));

@@ -1,16 +1,27 @@
 // Bricks of finer levels over a volume: the whole volume's picture where all are there, and the twin's where some are.
 import { expect } from '@esm-bundle/chai';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
+import { minSubsteps } from '../../../src/optics/cells/min-substeps.ts';
+import { wholeSteps } from '../../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../../src/optics/cells/substeps.ts';
+import type { RayStages, Sample } from '../../../src/optics/rays/ray-stages.ts';
 import type { RayStyle } from '../../../src/optics/rays/ray-style.ts';
 import { renderStages } from '../../../src/optics/reference.ts';
+import { outlinePatches } from '../../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../../src/optics/transfer/patches.ts';
 import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
 import { composeTwins, loadTwins } from '../../../src/renderer/ray/compose-twins.ts';
+import { cutSteps } from '../../../src/quality/levels.ts';
 import { longestDiagonal } from '../../../src/volume/grid.ts';
+import type { Vector3 } from '../../../src/volume/matrix.ts';
 import type { VolumeScene } from '../../../src/x3d/scene.ts';
-import { cutIntoBricks } from '../../helpers/bricks.ts';
+import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
+import { changePlan, drawAt } from '../../helpers/change-plan.ts';
 import { cutBox, keep } from '../../helpers/clips.ts';
+import { askew, overlayOf, waves } from '../../helpers/overlays.ts';
 import { comparePictures, drawPicture, height, plainOptics, raysOf, shareScene, width } from '../../helpers/picture.ts';
 import type { View } from '../../helpers/picture.ts';
+import { readPixels } from '../../helpers/read-pixels.ts';
 import { fieldWithHole, smoothField, syntheticVolume } from '../../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../../helpers/synthetic.ts';
 import { viewFromAbove } from '../../helpers/views.ts';
@@ -23,6 +34,11 @@ const cliff: TransferFunction = [
   { value: 0.5, color: [0.2, 0.5, 1], opacity: 0 },
   { value: 0.5, color: [0.2, 0.5, 1], opacity: 1 },
   { value: 1, color: [1, 0.8, 0.4], opacity: 1 },
+];
+
+/** Where values change by more than those of half the voxels do. */
+const patches: readonly Patch[] = [
+  { kind: 'box', values: [0.1, 1], gradients: [0.08, 10], color: [1, 0.7, 0.3], opacity: 0.5 },
 ];
 
 interface Case {
@@ -41,6 +57,24 @@ const cases: Case[] = [
   { name: 'lit, 16 bit', data: { kind: 'uint16' }, style: { lit: true } },
   { name: 'maximum', style: { projection: 'max' } },
   { name: 'a surface alone', style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] } },
+  {
+    name: 'patches of values and gradients',
+    style: { patches },
+    more: ({ volume: { range } }) => ({ optics: { ...plainOptics, transferFunction: outlinePatches(patches, range) } }),
+  },
+  {
+    name: 'with a layer',
+    more: ({ volume }) => {
+      const size: Vector3 = [20, 24, 22];
+      const layer = syntheticVolume({
+        dimensions: size,
+        kind: 'float32',
+        field: waves,
+        indexToWorld: askew(volume, size),
+      });
+      return { overlay: overlayOf(volume, layer) };
+    },
+  },
   { name: 'opaque at once', more: () => ({ optics: { ...plainOptics, transferFunction: cliff } }) },
   {
     name: 'cut, lit',
@@ -64,6 +98,7 @@ function viewOf({ data, more }: Case): View {
 
 async function draw(scene: VolumeScene, { style = null }: Case, view: View): Promise<Uint8ClampedArray> {
   await scene.prepare(view.volume, view.optics);
+  await scene.setOverlay(view.overlay ? { ...view.overlay, over: view.volume } : null);
   await scene.setAppearance({ style, optics: view.optics });
   return drawPicture(scene, { ...view, maxSubsteps: 8 });
 }
@@ -81,6 +116,55 @@ const some = ({ level, at: [i, j] }: Brick): boolean => (level === 0 ? i === 0 :
 
 describe('bricks over a volume', () => {
   const scene = shareScene({});
+
+  it('are sampled by the length of the voxels that a ray is in, like the twin, with skipping and without', async () => {
+    const whole = viewOf({ name: 'fog', data: { dimensions: [96, 64, 64] } });
+    const view = {
+      ...whole,
+      volume: cutIntoBricks(whole.volume, 3, ({ at: [i] }) => i === 0).volume,
+    };
+    await draw(scene(), { name: 'fog' }, view);
+    const layer = scene().layers[0];
+    const oneAVoxel = longestDiagonal(view.volume.grid) / view.stepLength;
+    const byLength = cutSteps({ steps: oneAVoxel, substeps: 1 }, oneAVoxel, 1);
+    const drawAgain = (substeps: Substeps): Uint8ClampedArray => {
+      changePlan(scene(), { substeps });
+      drawAt(scene(), view.stepLength);
+      return readPixels(scene());
+    };
+    const drawn = drawAgain(byLength);
+    const codes = layer.detail()!;
+    expect([...new Set(codes)]).to.have.members([0, 4, 8]);
+    layer.skipping = false;
+    expect(comparePictures(drawAgain(byLength), drawn).worst, 'skipping changes nothing').to.equal(0);
+    layer.skipping = true;
+    let samples = 0;
+    const twin = async (min: RayStages['minSubsteps']): Promise<Float64Array> => {
+      samples = 0;
+      const twins = layer.twins(false, true)!;
+      const frame = { ...twins, rays: raysOf(view), placesOnly: false };
+      await loadTwins(twins, frame);
+      const stages = composeTwins(twins, frame, { stepLength: view.stepLength, maxSubsteps: 1, minSubsteps: min });
+      const sampleAt = (place: Vector3): Sample => (samples++, stages.field.sampleAt(place));
+      const counted = { ...stages, field: { ...stages.field, sampleAt } };
+      return renderStages(counted, frame.rays, width, height).map((x) => 255 * x);
+    };
+    const cast = await twin(minSubsteps(view.volume, codes, byLength.voxelsPerStep));
+    const few = samples;
+    const { worst, rmse } = comparePictures(drawn, cast);
+    const finest = comparePictures(drawn, await twin(undefined));
+    console.log(
+      `${few} of ${samples} samples; against the twin ${worst.toFixed(2)}, against steps of the finest voxels ${finest.worst.toFixed(2)}`,
+    );
+    expect(worst).to.be.at.most(1);
+    expect(rmse).to.be.below(0.4);
+    expect(finest.worst, 'what one sample a voxel leaves').to.be.at.most(4);
+    expect(finest.rmse).to.be.below(0.5);
+    expect(few / samples).to.be.below(0.8);
+    // Moving pictures, whose steps have nothing to do with cells.
+    expect(comparePictures(drawAgain(wholeSteps), await twin(undefined)).worst, 'the whole').to.be.at.most(1);
+  });
+
   for (const one of cases) {
     it(`${one.name}: all of them give the picture of the whole, some that of the twin`, async function () {
       this.timeout(120_000);
@@ -111,5 +195,36 @@ describe('bricks over a volume', () => {
       expect(off.rmse, 'some bricks, against the twin').to.be.at.most(0.5);
       expect(off.worst, 'some bricks, against the twin').to.be.at.most(2);
     });
+    it(`${one.name}: bricks that come later give the same picture as those that were there before`, async function () {
+      this.timeout(120_000);
+      const view = viewOf(one);
+      const { volume, pyramid } = cutIntoBricks(view.volume, 3, () => false);
+      await draw(scene(), one, { ...view, volume });
+      for (const { level, at } of [...cutIntoBricks(view.volume, 3, some).volume.finer.bricks])
+        volume.finer.add({ level, at }, readBrick(pyramid, { level, at }));
+      scene().draw();
+      const later = readPixels(scene());
+      const before = await draw(scene(), one, { ...view, volume: cutIntoBricks(view.volume, 3, some).volume });
+      expect(comparePictures(later, before).worst).to.equal(0);
+    });
   }
+
+  it('make tables again only when bricks have come: where values are opaque at once, with their larger range', async () => {
+    const opaque = cases.find(({ name }) => name === 'opaque at once')!;
+    const view = viewOf(opaque);
+    const [low, high] = view.volume.range;
+    const volume = { ...cutIntoBricks(view.volume, 3, some).volume, range: [low + 0.1, high - 0.1] as const };
+    await draw(scene(), opaque, { ...view, volume });
+    expect(scene().layers[0].volume!.range, 'means have other values').to.not.deep.equal(volume.range);
+    const { gl } = scene().layers[0];
+    const { texImage2D } = gl;
+    let uploads = 0;
+    gl.texImage2D = (...given: unknown[]): void => {
+      uploads++;
+      (texImage2D as (...all: unknown[]) => void).apply(gl, given);
+    };
+    for (let n = 0; n < 3; n++) scene().draw();
+    gl.texImage2D = texImage2D;
+    expect(uploads).to.equal(0);
+  });
 });

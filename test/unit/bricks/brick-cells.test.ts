@@ -119,6 +119,32 @@ describe('macrocells of bricks', () => {
     expect(brickSide).to.equal(32);
   });
 
+  it('say how long the voxels in them are, next to the shortest that are shown anywhere', () => {
+    const whole = syntheticVolume({ dimensions: [128, 64, 64], field: () => 0.5 });
+    const { volume, pyramid } = cutIntoBricks(whole, 3, () => false);
+    const { finer, grid } = volume;
+    const lengths = (): readonly number[] => {
+      const { macrocells } = finer.current(volume);
+      return [0.1, 0.3, 0.6].map((x) => 2 ** macrocells.longer![cellAt(macrocells, grid.dimensions, [x, 0.2, 0.2])]);
+    };
+    const all = lengths();
+    const [middle, fine] = [
+      { level: 1, at: [0, 0, 0] as const },
+      { level: 0, at: [0, 0, 0] as const },
+    ];
+    finer.add(middle, readBrick(pyramid, middle));
+    const two = lengths();
+    finer.add(fine, readBrick(pyramid, fine));
+    const three = lengths();
+    finer.remove([...finer.bricks].find(({ level }) => level === 0)!);
+    expect([all, two, three, lengths()]).to.deep.equal([
+      [1, 1, 1],
+      [1, 1, 2],
+      [1, 2, 4],
+      [1, 1, 2],
+    ]);
+  });
+
   it('are as rough as steps of the shortest edge find them, where voxels are longer along other axes', () => {
     const gridOfVoxels = (edges: Vector3): CartesianGrid =>
       cartesianGrid(

@@ -1,7 +1,7 @@
 import compositeChunk from '../../../../shaders/chunks/gather/composite.glsl?raw';
-import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import finishColor from '../../../../shaders/chunks/gather/finish-color.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
-import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
+import { lastCode, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
 import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
 import { uploadCells } from '../../textures/cell-texture.ts';
 import type { CellTexture } from '../../textures/cell-texture.ts';
@@ -13,8 +13,8 @@ import { twinOf, usualTwins } from '../ray-twin.ts';
 export const compositeText: RayText = {
   name: 'composite',
   stage: 'gather',
-  defines: { CELL_CODES: cellCodes.toFixed(1) },
-  chunks: [emptySpace, compositeChunk, compositeWalk],
+  defines: { LAST_CODE: lastCode.toFixed(1) },
+  chunks: [compositeChunk, emptySpace, finishColor],
   samplers: ['uEmptySpaceDistance'],
 };
 

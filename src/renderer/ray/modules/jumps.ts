@@ -1,4 +1,4 @@
-import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import finishColor from '../../../../shaders/chunks/gather/finish-color.glsl?raw';
 import cubic from '../../../../shaders/chunks/field/cubic.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
 import labelTurns from '../../../../shaders/chunks/attachments/label-turns.glsl?raw';
@@ -34,7 +34,7 @@ export function jumpsText(isOne: boolean): RayText {
       MIN_SHARE: 0.5 ** maxHalvings,
       MAX_LOOKS: maxLooks,
     },
-    chunks: [emptySpace, surfaceValuesChunk, cubic, voxelPlanes, labelTurns, jumpsChunk, compositeWalk],
+    chunks: [surfaceValuesChunk, cubic, voxelPlanes, labelTurns, jumpsChunk, emptySpace, finishColor],
     samplers: compositeText.samplers,
   };
 }

@@ -5,7 +5,7 @@ import extreme from '../../../../shaders/chunks/gather/extreme.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/walk/voxel-planes.glsl?raw';
 import walkVoxels from '../../../../shaders/chunks/walk/walk-voxels.glsl?raw';
 import { measureCellLimits } from '../../../optics/cells/cell-limits.ts';
-import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
+import { lastCode, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
 import { refinements } from '../../../optics/rays/projection.ts';
 import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
 import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
@@ -37,8 +37,8 @@ export function projectionText(
   if (kind === 'average')
     return {
       ...shared,
-      defines: { ...defines, CELL_CODES: cellCodes.toFixed(1) },
-      chunks: [emptySpace, ...planes, average],
+      defines: { ...defines, LAST_CODE: lastCode.toFixed(1) },
+      chunks: [...planes, average, emptySpace],
       samplers: ['uEmptySpaceDistance'],
     };
   const sign = kind === 'max' ? '1.0' : '-1.0';

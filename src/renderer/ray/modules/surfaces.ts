@@ -1,4 +1,4 @@
-import compositeWalk from '../../../../shaders/chunks/walk/composite-walk.glsl?raw';
+import finishColor from '../../../../shaders/chunks/gather/finish-color.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/walk/empty-space.glsl?raw';
 import gatheredPieces from '../../../../shaders/chunks/gather/gathered-pieces.glsl?raw';
 import surfaceValuesChunk from '../../../../shaders/chunks/gather/surface-values.glsl?raw';
@@ -69,12 +69,12 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
     },
     chunks: [
       ...(shading?.chunks ?? []),
-      emptySpace,
       surfaceValuesChunk,
       crossings,
       gatheredPieces,
       surfacesChunk,
-      compositeWalk,
+      emptySpace,
+      finishColor,
     ],
     samplers: [...compositeText.samplers, ...(shading?.samplers ?? [])],
   };

@@ -1,0 +1,3 @@
+vec4 finishGathering(Gathered gathered, Path path) {
+  return gathered.color;
+}
