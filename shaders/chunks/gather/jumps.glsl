@@ -74,11 +74,20 @@ float jumpBetween(float one, float other) {
 }
 
 #ifdef BRICKS
-#define SHOWN_SCALE voxelScale.x
-#define LOOK_UP(p) inAtlas(p)
+/// Voxels along the unit cube, along its x, of what is shown at a place.
+float scaleAt(vec3 p) {
+  inAtlas(p);
+  return voxelScale.x;
+}
+
+/// The same at the place of the last sample.
+#define LAST_SCALE voxelScale.x
 #else
-#define SHOWN_SCALE 1.0
-#define LOOK_UP(p)
+float scaleAt(vec3 p) {
+  return 1.0;
+}
+
+#define LAST_SCALE 1.0
 #endif
 
 /// Cut a part at the turning points of the cubic through it and where another label may show, and halve the pieces that hide much, pass a value, or in which
@@ -94,10 +103,8 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
   turns = turnsOnce ? from + (to - from) * turns / 3.0 : vec2(from);
   float smallest = (to - from) * MIN_SHARE;
   float label = from + (to - from) * labelTurn(path.origin + path.forward * from, path.origin + path.forward * to);
-  LOOK_UP(path.origin + path.forward * to);
-  float lastScale = SHOWN_SCALE;
-  LOOK_UP(path.origin + path.forward * from);
-  float frontScale = SHOWN_SCALE;
+  float backScale = scaleAt(path.origin + path.forward * to);
+  float frontScale = scaleAt(path.origin + path.forward * from);
   float at = from;
   float span = to - from;
   for (int i = 0; i <= MAX_LOOKS; i++) {
@@ -108,10 +115,10 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     if (turns.y > at && !isLast) end = min(end, turns.y);
     if (label > at && !isLast) end = min(end, label);
     Sample next = back;
-    float scale = lastScale;
+    float scale = backScale;
     if (end < to) {
       next = sampleField(path.origin + path.forward * end);
-      scale = SHOWN_SCALE;
+      scale = LAST_SCALE;
     }
     float visible = 1.0 - gathered.color.a;
     float jump = jumpBetween(frontScale, scale);

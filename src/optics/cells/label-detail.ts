@@ -1,6 +1,9 @@
+import { cellSize } from '../../volume/cell-size.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
 import type { LabelStyle } from '../../volume/labels.ts';
+import type { Macrocells } from '../../volume/macrocells.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { emission } from '../transfer/emission.ts';
 import { rangeEmission } from '../transfer/emission-range.ts';
@@ -41,6 +44,30 @@ export function appearanceOfCells({ starts, numbers }: LabelCells, styles: reado
     for (let c = 0; c < 4; c++) spread[cell] = Math.max(spread[cell], high[c] - low[c]);
   }
   return { max, spread, groups };
+}
+
+/**
+ * The same for smaller macrocells, as those of bricks: each has what the cell has in which it lies.
+ * @param dimensions - voxels of the labels
+ */
+export function divideAppearances(
+  whole: CellAppearances,
+  dimensions: Vector3,
+  { dimensions: cells, size = cellSize }: Pick<Macrocells, 'dimensions' | 'size'>,
+): CellAppearances {
+  if (size === cellSize) return whole;
+  const { max, spread, groups } = whole;
+  const [lx, ly] = dimensions.map((n) => Math.ceil(n / cellSize));
+  const large = (n: number): number => Math.floor((n * size) / cellSize);
+  const from = new Uint32Array(cells[0] * cells[1] * cells[2]);
+  for (let z = 0, at = 0; z < cells[2]; z++)
+    for (let y = 0; y < cells[1]; y++)
+      for (let x = 0; x < cells[0]; x++, at++) from[at] = large(x) + lx * (large(y) + ly * large(z));
+  return {
+    max: Float32Array.from(from, (cell) => max[cell]),
+    spread: Float32Array.from(from, (cell) => spread[cell]),
+    groups: Uint8Array.from(from, (cell) => groups[cell]),
+  };
 }
 
 /**

@@ -3,7 +3,7 @@ import { loadPart } from '../../core/load-part.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
-import { labelledDetail, appearanceOfCells } from '../../optics/cells/label-detail.ts';
+import { appearanceOfCells, divideAppearances, labelledDetail } from '../../optics/cells/label-detail.ts';
 import type { CellAppearances } from '../../optics/cells/label-detail.ts';
 import { listLabels } from '../../volume/label-cells.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
@@ -120,8 +120,9 @@ export class LabelLayer {
       hides: !cutsSteps,
       groups: functions !== undefined,
     });
-    const contribution = this.#contribution.get([this.#appearancesOf(labels)], () => {
-      const { max } = this.#appearancesOf(labels);
+    const looks = this.#appearancesOf(labels, volume!);
+    const contribution = this.#contribution.get([looks], () => {
+      const { max } = looks;
       return (_low, _high, cell) => max[cell] > 0;
     });
     const field: RayModule<'field'> = {
@@ -137,7 +138,7 @@ export class LabelLayer {
     const frame = { volume: volume!, field: voxels!, optics: optics! };
     return [
       field,
-      ...(functions ? this.#functions!.modules({ functions, looks: this.#appearancesOf(labels) }, frame) : []),
+      ...(functions ? this.#functions!.modules({ functions, looks }, frame) : []),
       functions ? groupAppearances : labelAppearances,
     ];
   }
@@ -151,7 +152,7 @@ export class LabelLayer {
     const labels = this.#labelsOf(volume);
     if (!labels) return undefined;
     const { functions: own = [] } = labels;
-    const looks = this.#appearancesOf(labels);
+    const looks = this.#appearancesOf(labels, volume);
     return this.#detail.get([looks, volume, seen.transferFunction, seen.opticalScale, lightFactor, ...own], () => {
       const functions = own.map((one) => brighten(one, lightFactor));
       return { functions, more: labelledDetail(looks, { ...seen, functions }) };
@@ -166,9 +167,12 @@ export class LabelLayer {
       : null;
   }
 
-  #appearancesOf({ styles }: ShownLabels): CellAppearances {
+  /** In the macrocells of a volume. */
+  #appearancesOf({ styles, map }: ShownLabels, { macrocells }: VolumeData): CellAppearances {
     const { cells } = this.#brought!;
-    return this.#looks.get([cells, styles], () => appearanceOfCells(cells, styles));
+    return this.#looks.get([cells, styles, macrocells.size], () =>
+      divideAppearances(appearanceOfCells(cells, styles), map.dimensions, macrocells),
+    );
   }
 
   #inputs({ styles }: ShownLabels): ProgramInputs {

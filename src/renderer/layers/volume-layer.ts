@@ -335,11 +335,10 @@ export class VolumeLayer {
 
   /** Which macrocells show something, and what they show; null without a volume or optics. */
   whatIsSeen(): SeenVolume | null {
-    const { volume } = this;
-    if (!volume || !this.optics) return null;
+    const { volume, optics } = this;
+    if (!volume || !optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    const optics = this.optics;
     return this.#seen.find(this.#opened, optics, contributions, {
       shown: [this.#attached?.shown, this.#style],
       more: (seen) => {
