@@ -49,7 +49,8 @@ async function showStone({ base, shift, attributes, patience: seconds, again }) 
   const isFinal = (await Promise.race([view.whenRendered(), late])) !== 'late';
   const final = performance.now() - began;
   const { steps, error, bricks } = /** @type {any} */ (view.renderStats);
-  // The same picture from nearly the same place, once all is there.
+  const counts = { ...stone.counts };
+  // The same picture from nearly the same place, once all is there: some more chunks come.
   /** @type {number[]} */
   const times = [];
   for (let n = 1; n <= (isFinal ? again : 0); n++) {
@@ -61,7 +62,7 @@ async function showStone({ base, shift, attributes, patience: seconds, again }) 
   const frameMs = times[Math.floor(times.length / 2)] ?? null;
   view.remove();
   stone.close();
-  return { first, final: isFinal ? final : null, frameMs, steps, error, bricks, ...stone.counts };
+  return { first, final: isFinal ? final : null, frameMs, steps, error, bricks, ...counts };
 }
 
 export async function run() {
