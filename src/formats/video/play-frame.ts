@@ -11,6 +11,9 @@ const rowsAtOnce = 256;
 
 const patienceMs = 30_000;
 
+/** The longest time from `seeked` to the frame itself: a player may count times in another way. */
+const mostWaitMs = 3000;
+
 /**
  * Shows one frame in a `<video>` that is not in the page, and reads it back. The browser makes colours of the brightness. Of a video that says
  * its full range and its colour space Chromium changes no number; of others by up to 20 of 255, and those below 16 and above 235 become one.
@@ -30,7 +33,9 @@ export async function playFrame(video: VideoTable, frame: number, { budget }: Fr
         `got ${player.videoWidth} x ${player.videoHeight} pixels; expected ${width} x ${height} as the file says`,
       );
     const middle = middleOf(video, frame);
+    const shown = untilShown(player, video.times[frame] - video.times[0], middle);
     await happens(player, 'seeked', () => (player.currentTime = middle));
+    await Promise.race([shown, new Promise((resolve) => setTimeout(resolve, mostWaitMs))]);
     budget.take(width * height + 4 * width * Math.min(height, rowsAtOnce), 'the video');
     return { width, height, data: readBack(player, video), left: [video.isFullRange ? noted : changed] };
   } finally {
@@ -50,6 +55,18 @@ const changed =
 function middleOf({ times }: VideoTable, frame: number): number {
   const next = times[frame + 1] ?? times[frame] + (frame > 0 ? times[frame] - times[frame - 1] : 0.04);
   return Math.max(0, (times[frame] + next) / 2 - times[0]);
+}
+
+/**
+ * On a busy machine `seeked` comes while the player still shows the frame before. Resolves when it shows the one that was asked for; at once where a browser does not say
+ * what it shows, as in a page in the background.
+ * @param start, middle - of the frame, in seconds from the first one
+ */
+async function untilShown(player: HTMLVideoElement, start: number, middle: number): Promise<void> {
+  if (!('requestVideoFrameCallback' in player) || document.hidden) return;
+  const next = (): Promise<number> =>
+    new Promise((resolve) => player.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime)));
+  while (Math.abs((await next()) - start) > middle - start);
 }
 
 async function happens(player: HTMLVideoElement, event: string, begin: () => void): Promise<void> {
