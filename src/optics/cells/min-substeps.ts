@@ -1,6 +1,5 @@
 import { cellSize } from '../../volume/cell-size.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { readCode } from './cell-detail.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { powerOfSteps } from '../transfer/power-of-steps.ts';
 import { maxSubsteps } from '../transfer/substep-limits.ts';
@@ -24,8 +23,10 @@ export function minSubsteps(
   return (place, forward) => {
     const at = place.map(inCells);
     const cell = at.map((x, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor(x))));
-    const { samples, longer } = readCode(codes[cell[0] + cells[0] * (cell[1] + cells[1] * cell[2])]);
-    const own = Math.min(maxSubsteps, Math.max(1, samples * 2 ** power));
+    // As `readCode` of cell-detail.ts says, which another part of the package holds.
+    const code = codes[cell[0] + cells[0] * (cell[1] + cells[1] * cell[2])];
+    const longer = 2 ** (code >> 2);
+    const own = Math.min(maxSubsteps, Math.max(1, 2 ** ((code & 3) + power)));
     if (longer <= own || voxelsPerStep === 0) return Math.max(1, own / longer);
     const toWall = forward.map((way, axis) => {
       const step = inCells(way, axis);
