@@ -382,7 +382,7 @@ test.describe('notes', () => {
     ].map((at, i) => `<volume-note hide="never" position="${at.join(' ')}" label="A long name ${i}"></volume-note>`);
     await open(
       page,
-      view(sides.join(''), { src: 'absent.nii.gz' }).replace(size, 'style="width: 300px; height: 220px"'),
+      view(sides.join('')).replace(`src="${fieldUrl}"`, '').replace(size, 'style="width: 300px; height: 220px"'),
     );
     await expect(note(page, 'A long name 0')).toHaveCSS('opacity', '0');
     await page.evaluate((url) => document.querySelector('volume-view')!.setAttribute('src', url), fieldUrl);

@@ -141,6 +141,19 @@ async function openAgain(page: Page, body: string, options: PageOptions): Promis
   return true;
 }
 
+/** Throw where a tag has an attribute twice: the browser takes the first one, without a word, and a test would look at something else. */
+function expectNoAttributeTwice(html: string): void {
+  for (const [tag, inside] of html.matchAll(
+    /<[a-z][a-z0-9-]*((?:\s+[^\s"'=<>/]+(?:=(?:"[^"]*"|'[^']*'|[^\s"'<>]+))?)*)\s*\/?>/gi,
+  )) {
+    const names = [...inside.matchAll(/\s+([^\s"'=<>/]+)(?:=(?:"[^"]*"|'[^']*'|[^\s"'<>]+))?/g)].map(
+      ([, name]) => name,
+    );
+    const twice = names.find((name, i) => names.indexOf(name) < i);
+    if (twice) throw new Error(`The attribute ${twice} is there twice: ${tag}`);
+  }
+}
+
 /** Put this in the place of a page's body. */
 async function fill(page: Page, body: string): Promise<void> {
   await page.evaluate((html) => {
@@ -163,6 +176,7 @@ export async function open(page: Page, body: string, options: PageOptions = {}):
     path = '/test/e2e/pages/open.html',
     script = '<script type="module" src="/dist/volume-view.js"></script>',
   } = options;
+  expectNoAttributeTwice(body);
   if (await openAgain(page, body, options)) return;
   if (!keptPages.has(page)) await page.addInitScript(watchEvents, eventNames);
   const html = `<!doctype html><html lang="en"><head><title>Test</title>${script}
