@@ -15,7 +15,7 @@ import { attributesOf } from './helpers/reference.ts';
 
 const losses = Number(process.env.LOSSES ?? 10);
 
-const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} steps="20" alt="A field"></volume-view>`;
+const plain = `<volume-view src="${fieldUrl}" ${attributesOf({ steps: '20' })} alt="A field"></volume-view>`;
 
 test('contexts are lost one after the other, and each time the same picture comes back', async ({ page }) => {
   test.setTimeout(60_000 + 5000 * losses);

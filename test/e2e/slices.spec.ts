@@ -21,11 +21,17 @@ import { meanOf } from './helpers/pictures.ts';
 const radarUrl = '/test/fixtures/radar/odim-2.2.h5';
 
 /** All values in colours from red to green; the volume itself is as good as not there. */
-const looks =
-  'transfer-function="-40 #f00 1%, 90 #0f0 1%" opacity-factor="0.001" steps="40" rings="none" camera-orbit="20deg 50deg 100%"';
-/** @param more - attributes, which win over those of the looks */
-const radar = (slices: string, more = ''): string =>
-  `<volume-view src="${radarUrl}" ${more} ${looks}>${slices}</volume-view>`;
+const looks = {
+  'transfer-function': '-40 #f00 1%, 90 #0f0 1%',
+  'opacity-factor': '0.001',
+  steps: '40',
+  rings: 'none',
+  'camera-orbit': '20deg 50deg 100%',
+};
+const radar = (slices: string, changes: Record<string, string> = {}): string => {
+  const attributes = Object.entries({ ...looks, ...changes }).map(([name, value]) => `${name}="${value}"`);
+  return `<volume-view src="${radarUrl}" ${attributes.join(' ')}>${slices}</volume-view>`;
+};
 
 /** Mean opacity of the picture, 0..255. */
 async function opacity(page: Page): Promise<number> {
@@ -154,7 +160,7 @@ test("a volume that is not a radar's has no slices and no rings, and says so", a
 });
 
 test('a region alone is shown, and framed', async ({ page }) => {
-  await open(page, radar(one.ppi, 'camera-orbit="0deg 0deg 100%"'));
+  await open(page, radar(one.ppi, { 'camera-orbit': '0deg 0deg 100%' }));
   const all = await takePicture(page);
   const stats = await withElement(page, (element) => element.renderStats!);
   await setAttributes(page, { region: '1000 1000 0 5000 5000 2000' });
@@ -167,7 +173,7 @@ test('a region alone is shown, and framed', async ({ page }) => {
 });
 
 test("regions that can't be read, or hold nothing, are an error", async ({ page }) => {
-  await open(page, radar(one.ppi, 'region="1 2 3"'));
+  await open(page, radar(one.ppi, { region: '1 2 3' }));
   expect((await lastError(page)).message).toMatch(/^region got "1 2 3"; expected 6 numbers/);
   await settle(page).catch(() => {});
   await forgetEvents(page);
@@ -178,7 +184,7 @@ test("regions that can't be read, or hold nothing, are an error", async ({ page 
 });
 
 test('rings stand around the radar with their distances, and north', async ({ page }) => {
-  await open(page, radar('', 'rings camera-orbit="180deg 0deg 140%" style="width: 800px; height: 600px"'));
+  await open(page, radar('', { rings: '', 'camera-orbit': '180deg 0deg 140%', style: 'width: 800px; height: 600px' }));
   await settle(page);
   const labels = page.locator('volume-view .labels span');
   expect(await labels.allTextContents()).toEqual(['2 km', '4 km', '6 km', '8 km', '10 km', 'N']);
@@ -200,7 +206,7 @@ test('rings stand around the radar with their distances, and north', async ({ pa
 });
 
 test('labels at the edge of the picture are moved so far that all of them is read', async ({ page }) => {
-  await open(page, radar('', 'rings camera-orbit="180deg 0deg 140%"'));
+  await open(page, radar('', { rings: '', 'camera-orbit': '180deg 0deg 140%' }));
   await settle(page);
   const picture = (await page.locator('volume-view').boundingBox())!;
   let atEdge = 0;
@@ -229,7 +235,7 @@ test('labels at the edge of the picture are moved so far that all of them is rea
 });
 
 test('rings are cut to the region, and their labels stand in it', async ({ page }) => {
-  await open(page, radar('', 'rings="2" region="1000 1000 0 7000 6000 3000" camera-orbit="180deg 0deg 140%"'));
+  await open(page, radar('', { rings: '2', region: '1000 1000 0 7000 6000 3000', 'camera-orbit': '180deg 0deg 140%' }));
   await settle(page);
   const labels = page.locator('volume-view .labels span');
   // The region's corners are 1.4 and 9.2 km away; the line to the north is outside.
@@ -247,7 +253,7 @@ test('rings are cut to the region, and their labels stand in it', async ({ page 
 });
 
 test('rings of a wrong distance are an error', async ({ page }) => {
-  await open(page, radar('', 'rings="500"'));
+  await open(page, radar('', { rings: '500' }));
   expect((await lastError(page)).message).toMatch(/^rings got "500"; expected kilometres from ring to ring/);
 });
 
