@@ -82,6 +82,41 @@ float scaleAt(vec3 p) {
 
 /// The same at the place of the last sample.
 #define LAST_SCALE voxelScale.x
+
+/// A sample on a way on which values change evenly from one sample to another, at a share of it; all but the value is that of the first one.
+/// `columnsField` uses only the value, so its p does not matter.
+Sample onWay(Sample from, Sample to, float share) {
+  from.value = mix(from.value, to.value, share);
+#ifdef COLUMN_BINS
+  from.stored = mix(from.stored, to.stored, share);
+  from = columnsField(vec3(0.0), from);
+#endif
+  return from;
+}
+
+/// Gather a jump of the value: as a way of some length on which values change evenly, halved as all others.
+void gatherJump(Segment jump, inout Gathered gathered) {
+  float at = 0.0;
+  float share = 1.0;
+  Sample front = jump.front;
+  for (int i = 0; i <= MAX_LOOKS; i++) {
+    float end = i == MAX_LOOKS ? 1.0 : min(1.0, at + share);
+    Sample next = jump.back;
+    if (end < 1.0) next = onWay(jump.front, jump.back, end);
+    float visible = 1.0 - gathered.color.a;
+    vec4 seen = visible * seeSegment(Segment(front, next, jump.begin, (end - at) * jump.span, visible));
+    bool isShort = i == MAX_LOOKS || end - at <= MIN_SHARE;
+    if (!isShort && (seen.a > limitOf(front, next) || passes(front, next))) {
+      share = 0.5 * (end - at);
+    } else {
+      gathered.color += seen;
+      share = 2.0 * (end - at);
+      at = end;
+      front = next;
+      if (at >= 1.0 || isOpaque(gathered)) break;
+    }
+  }
+}
 #else
 float scaleAt(vec3 p) {
   return 1.0;
@@ -123,10 +158,15 @@ void lookCloser(Path path, float from, float to, Sample front, Sample back, inou
     float visible = 1.0 - gathered.color.a;
     float jump = jumpBetween(frontScale, scale);
     bool isShort = isLast || end - at <= smallest;
-    vec4 seen = visible * seeSegment(Segment(front, next, at, isShort ? max(jump, end - at) : end - at, visible));
+    Segment piece = Segment(front, next, at, end - at, visible);
+    vec4 seen = visible * seeSegment(piece);
     if (!isShort && (jump > 0.0 || seen.a > limitOf(front, next) || passes(front, next))) {
       span = 0.5 * (end - at);
     } else {
+#ifdef BRICKS
+      if (jump > piece.span && hasData(front) && hasData(next)) gatherJump(Segment(front, next, at, jump, visible), gathered);
+      else
+#endif
       gathered.color += seen;
       span = 2.0 * (end - at);
       at = end;

@@ -83,15 +83,33 @@ export function jumpGather(values: readonly number[], voxel: number): GatherStag
         };
         const jump = voxel * (jumpBetween?.(begin + at, begin + end) ?? 0);
         const isShort = look >= maxLooks || end - at <= span / 2 ** maxHalvings;
-        // Between two levels of bricks values jump. They are taken to pass all values between on the way of a voxel, as they do in the whole volume.
-        const color = seeSegment(isShort ? { ...piece, span: Math.max(jump, piece.span) } : piece);
+        const color = seeSegment(piece);
         const visible = 1 - gathered[3];
         if (!isShort && visible > nothing && (jump > 0 || visible * color[3] > limitOf(piece) || passes(piece))) {
           length = (end - at) / 2;
           continue;
         }
-        take(piece, color);
+        if (jump > piece.span && piece.front.valid && piece.back.valid) gatherJump({ ...piece, span: jump });
+        else take(piece, color);
         [at, known, length] = [end, piece.back, 2 * (end - at)];
+      }
+    };
+    /** Between two levels of bricks values jump. They are taken to change evenly on the way of a voxel, about as they do in the whole volume. */
+    const gatherJump = ({ front, back, begin, span }: Segment): void => {
+      let [at, known, share] = [0, front, 1];
+      for (let look = 0; at < 1; look++) {
+        const end = look >= maxLooks ? 1 : Math.min(1, at + share);
+        const next = end < 1 ? { ...front, value: front.value + end * (back.value - front.value) } : back;
+        const piece = { front: known, back: next, begin, span: (end - at) * span };
+        const color = seeSegment(piece);
+        const visible = 1 - gathered[3];
+        const isShort = look >= maxLooks || end - at <= 0.5 ** maxHalvings;
+        if (!isShort && visible > nothing && (visible * color[3] > limitOf(piece) || passes(piece))) {
+          share = (end - at) / 2;
+          continue;
+        }
+        take(piece, color);
+        [at, known, share] = [end, next, 2 * (end - at)];
       }
     };
     return {

@@ -217,6 +217,40 @@ describe('bricks over a volume', () => {
     });
   }
 
+  it('of an opaque thing: no pixel at a border of theirs shows what lies below its surface', async () => {
+    const stone = (x: number, y: number, z: number): number => {
+      const rough = 0.03 * Math.sin(61 * x + 9 * y) * Math.sin(53 * y - 7 * z) * Math.sin(57 * z + 5 * x);
+      return Math.min(1, Math.max(0, 0.5 + 8 * (0.4 + rough - Math.hypot(x - 0.5, y - 0.5, z - 0.5))));
+    };
+    const one: Case = {
+      name: 'a stone: dark at its surface, light inside',
+      data: { field: stone },
+      more: () => ({
+        optics: {
+          ...plainOptics,
+          transferFunction: [
+            { value: 0.3, color: [0.2, 0.1, 0], opacity: 0 },
+            { value: 0.4, color: [0.2, 0.1, 0], opacity: 1 },
+            { value: 1, color: [1, 1, 1], opacity: 1 },
+          ],
+        },
+      }),
+    };
+    const view = viewOf(one);
+    const whole = await draw(scene(), one, view);
+    const mixed = await draw(scene(), one, { ...view, volume: cutIntoBricks(view.volume, 3, some).volume });
+    const opaque = Array.from({ length: width * height }, (_, i) => i).filter(
+      (i) => Math.min(whole[4 * i + 3], mixed[4 * i + 3]) > 250,
+    );
+    const off = opaque.map((i) => Math.abs(mixed[4 * i + 1] - whole[4 * i + 1]));
+    const brightest = Math.max(...opaque.map((i) => whole[4 * i + 1]));
+    console.log(
+      `green up to ${brightest}; off by ${Math.max(...off)} at most, by more than 10 in ${off.filter((x) => x > 10).length} of ${off.length} pixels`,
+    );
+    expect(off.length).to.be.above(200);
+    expect(Math.max(...off)).to.be.at.most(3);
+  });
+
   it('make tables again only when bricks have come: where values are opaque at once, with their larger range', async () => {
     const opaque = cases.find(({ name }) => name === 'opaque at once')!;
     const view = viewOf(opaque);
