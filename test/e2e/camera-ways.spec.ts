@@ -297,7 +297,7 @@ newPageTest(
     // Much to draw: with software GL several seconds.
     await open(
       page,
-      '<volume-view src="/demos/data/mni152-t1.nii.gz" max-error="0.1" style="width: 480px; height: 360px" alt="A head"></volume-view>',
+      '<volume-view src="/demos/data/mni152-t1.nii.gz" max-error="0.1" style="width: 800px; height: 600px" alt="A head"></volume-view>',
     );
     const seen = await withElement(page, async (element) => {
       const reported: { at: number; share: string; hidden: boolean }[] = [];
