@@ -3,7 +3,10 @@
 import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
 import type { DetailField } from './detail-field.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { HiddenValues } from './hidden-values.ts';
+import { meetPlane } from './painted-plane.ts';
+import type { PaintedPlane } from './painted-plane.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
 import { atOnce } from '../core/waiting.ts';
@@ -26,6 +29,8 @@ export interface DetailScene {
   readonly finestAt?: (t: number) => number;
   /** Whether a place of the unit cube is cut away; nothing is if undefined. */
   readonly isAway?: (x: number, y: number, z: number) => boolean;
+  /** Opaque planes on which values are painted. */
+  readonly planes?: readonly PaintedPlane[];
   /** Shifts rays within their pixels, 0..1. */
   readonly shift?: readonly [number, number];
 }
@@ -178,7 +183,7 @@ const maxSteps = 8192;
  * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
 function traceRays(
-  { field, sums, hidden, isAway, finestAt = () => 0, voxels = 1 }: DetailScene,
+  { field, sums, hidden, isAway, planes = [], finestAt = () => 0, voxels = 1 }: DetailScene,
   isLossAsked: boolean,
 ): Tracer {
   const { levels } = field;
@@ -190,6 +195,8 @@ function traceRays(
   const [levelAt, dueAt] = [new Uint8Array(maxSteps), new Uint8Array(maxSteps)];
   const togetherAt = new Float64Array(maxSteps);
   const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
+  /** The step at which the ray ends on a plane, and what values look like on it. */
+  let [planeStep, ofPlane] = [-1, sums];
   const correlationOf = (level: number): number => hidden.correlation?.(level) ?? correlated * 2 ** level;
   /**
    * What the hidden values of a level would show at a step.
@@ -205,25 +212,47 @@ function traceRays(
     // Where the resident level shows no data, the middle of what may be there stands for it.
     const center = Number.isNaN(values[n]) ? (low + high) / 2 : values[n];
     const previous = n > 0 && !Number.isNaN(values[n - 1]) ? values[n - 1] : center;
+    if (n === planeStep) {
+      // A single place: its difference is that of a whole voxel.
+      meanOfHidden(ofPlane, { center, previous: center, rms, max, low, high }, into);
+      return voxels;
+    }
     const { linear, isPeaked } = meanOfHidden(sums, { center, previous, rms, max, low, high }, into);
     const least = isPeaked ? passed : 1;
     return least + linear * Math.max(0, correlationOf(level) - least);
   };
+  const isPlaneShown = (plane: PaintedPlane, places: readonly Vector3[]): boolean => {
+    const value = field.valueAt(...places[0]);
+    if (Number.isNaN(value)) return false;
+    // A plane on the face of a cut is there.
+    if (isAway && places.every((place) => isAway(...place))) return false;
+    return plane.sums.meanOpacity(value, value) > 0.5;
+  };
+  const levelAtPlace = (place: Vector3): number => field.levelOf(field.cellAt(...place));
+  const coarsestOf = (places: readonly Vector3[]): Vector3 =>
+    places.reduce((one, other) => (levelAtPlace(other) > levelAtPlace(one) ? other : one));
   return ({ point, direction }, entry, exit, dt) => {
-    const count = Math.min(maxSteps, Math.ceil((exit - entry) / dt));
+    const plane = planes.length > 0 ? meetPlane(planes, { point, direction, entry, exit }, isPlaneShown) : null;
+    const count = Math.min(maxSteps, plane ? Math.floor((plane.t - entry) / dt) + 1 : Math.ceil((exit - entry) / dt));
+    planeStep = plane ? count - 1 : -1;
+    ofPlane = plane?.plane.sums ?? sums;
     let [through, used, last, isShown] = [1, 0, NaN, false];
     for (; used < count && through > opaque; used++) {
-      const t = entry + (used + 0.5) * dt;
+      const isOnPlane = used === planeStep;
+      const t = isOnPlane ? plane!.t : entry + (used + 0.5) * dt;
       const [x, y, z] = [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
-      const isCut = isAway?.(x, y, z) === true;
+      const isCut = !isOnPlane && isAway?.(x, y, z) === true;
       const value = isCut ? NaN : field.valueAt(x, y, z);
-      const cell = field.cellAt(x, y, z);
+      // Where a plane lies between two cells, pixels may show either: the coarser one counts.
+      const [atX, atY, atZ] = isOnPlane ? coarsestOf(plane!.places) : [x, y, z];
+      const cell = field.cellAt(atX, atY, atZ);
       cellOf[used] = cell;
-      blockOf[used] = hidden.blockAt(x, y, z);
+      blockOf[used] = hidden.blockAt(atX, atY, atZ);
       values[used] = value;
       visible[used] = through;
       means.fill(0);
-      if (!Number.isNaN(value)) sums.addMeans(Number.isNaN(last) ? value : last, value, 1, means);
+      if (isOnPlane) ofPlane.addMeans(value, value, 1, means);
+      else if (!Number.isNaN(value)) sums.addMeans(Number.isNaN(last) ? value : last, value, 1, means);
       for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];
       const level = isCut ? cut : field.levelOf(cell);
       levelAt[used] = level;

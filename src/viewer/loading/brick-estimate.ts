@@ -2,11 +2,13 @@
 import type { Brick } from '../../bricks/pyramid.ts';
 import { BrickGains, probeBricks } from '../../bricks/rank-bricks.ts';
 import { seekDetail } from '../../bricks/estimate-detail.ts';
+import type { PaintedPlane } from '../../bricks/painted-plane.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { levelOfPixels } from '../../bricks/pixel-levels.ts';
 import { sumSpans } from '../../bricks/span-sums.ts';
 import type { Waiting } from '../../core/waiting.ts';
+import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
@@ -41,7 +43,7 @@ export function* estimateBricks(
   volume: Volume,
   bricks: ResidentBricks,
   detail: ResidentDetail,
-  { view, optics, away, ...picture }: BrickPicture,
+  { view, optics, away, planes, ...picture }: BrickPicture,
 ): Waiting<BrickEstimate | null> {
   const rays = setUpRays(volume.grid, view.view, view.projection);
   if (!rays) return null;
@@ -67,11 +69,31 @@ export function* estimateBricks(
     hidden: detail,
     across,
     finestAt,
+    planes: planes?.map((plane) => paintedOf(plane, transferFunction, detail.range, volume)),
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
   const { rms, p99, finest } = yield* seekDetail(scene, gains);
   return { gains, probes, finest, error: { rms, p99, max: null } };
+}
+
+/** Steps that are so long, in reference lengths, are opaque where values have any opacity. */
+const opaqueLength = 1e6;
+
+/** A thick plane is taken to show the values in its middle. */
+function paintedOf(
+  { normal, offset, window }: PlaneSlice,
+  colors: TransferFunction,
+  range: readonly [number, number],
+  { slope, intercept }: Pick<Volume, 'slope' | 'intercept'>,
+): PaintedPlane {
+  const looks: TransferFunction = window
+    ? [
+        { value: window[0], color: [0, 0, 0], opacity: 1 },
+        { value: window[1], color: [1, 1, 1], opacity: 1 },
+      ]
+    : colors;
+  return { normal, offset, sums: sumSpans(looks, range, { slope, intercept, stepRatio: opaqueLength }) };
 }
 
 /** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */

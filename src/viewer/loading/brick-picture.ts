@@ -1,5 +1,6 @@
 import type { Matrix4 } from '../../volume/matrix.ts';
 import type { WorldCut } from '../../volume/world-cut.ts';
+import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { pictureSize } from '../model/picture-size.ts';
 import type { View } from '../model/scene.ts';
 import type { SocketView } from '../model/view-socket.ts';
@@ -13,6 +14,8 @@ export interface BrickPicture {
   readonly pixels?: readonly [number, number];
   /** What is cut away; undefined for nothing. */
   readonly away?: WorldCut;
+  /** Planes on which the values are painted. */
+  readonly planes?: readonly PlaneSlice[];
 }
 
 /** A picture that can be compared with others. */
@@ -25,11 +28,11 @@ export interface KeyedPicture extends BrickPicture {
 export function describePicture(
   { host, settings }: Pick<SocketView, 'host' | 'settings'>,
   { view, projection }: View,
-  { optics, away }: Pick<BrickPicture, 'optics' | 'away'>,
+  { optics, away, planes }: Pick<BrickPicture, 'optics' | 'away' | 'planes'>,
 ): KeyedPicture {
   const { width, height } = pictureSize(host, Infinity);
-  const key = JSON.stringify([view, optics, away, width, height, settings.quality.value?.maxError]);
-  return { key, view: { view, projection }, optics, away, pixels: [width, height] };
+  const key = JSON.stringify([view, optics, away, planes, width, height, settings.quality.value?.maxError]);
+  return { key, view: { view, projection }, optics, away, planes, pixels: [width, height] };
 }
 
 /** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */

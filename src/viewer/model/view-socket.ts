@@ -136,7 +136,11 @@ export interface SocketViewer {
   /** The part of the volume that is shown, and its cuts; to be read only where there is a volume. */
   readonly shown: {
     readonly grid: GridFrame;
-    readonly cuts: { readonly region: GridFrame | null; readonly away?: WorldCut };
+    readonly cuts: {
+      readonly region: GridFrame | null;
+      readonly away?: WorldCut;
+      readonly cuts: readonly { readonly items: readonly unknown[] }[];
+    };
   };
   /** The scene in use; null while there is none. */
   readonly scene: Scene | null;

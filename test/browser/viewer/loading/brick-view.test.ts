@@ -1,6 +1,7 @@
 // An OME-Zarr that is larger than its page allows: a coarse level as a whole, then bricks as the view needs them. The page's own function fetches.
 import { expect } from '@esm-bundle/chai';
 import { gzipSync } from 'fflate';
+import '../../../../components/volume-slice/define.ts';
 import '../../../../components/volume-slice-view/define.ts';
 import '../../../../components/volume-view/define.ts';
 import type { VolumeView } from '../../../../components/volume-view/volume-view.ts';
@@ -86,6 +87,37 @@ const look = {
 const fromAfar = { 'transfer-function': look['transfer-function'], 'camera-orbit': '30deg 65deg 300' };
 
 describe('a pyramid in bricks on a page', () => {
+  it('is read for planes in a clear volume, also where one lies between bricks, and says what they lack', async function () {
+    this.timeout(90_000);
+    const { fetch } = serve({ dimensions: [128, 128, 128], levels: 2 });
+    const planes =
+      '<volume-slice type="axial" value-window="0 255"></volume-slice><volume-slice type="coronal" at="7" value-window="0 255"></volume-slice>';
+    const clear = { ...fromAfar, 'camera-orbit': '30deg 65deg 220', 'opacity-factor': '0' };
+    const draw = async (attributes: Record<string, string>): Promise<{ shown: Float64Array; stats: RenderStats }> => {
+      const view = addView(fetch, { ...clear, ...attributes });
+      view.style.cssText = 'display: block; width: 288px; height: 216px';
+      view.innerHTML = planes;
+      await view.whenRendered();
+      const result = { shown: await pixelsOf(view), stats: view.renderStats! };
+      view.remove();
+      return result;
+    };
+    const { shown: whole } = await draw({});
+    const [enough, few] = [
+      await draw({ 'max-gpu-bytes': '2.05e6', 'max-error': '1' }),
+      await draw({ 'max-gpu-bytes': '0.6e6', 'max-error': '1' }),
+    ];
+    const errorOf = ({ shown }: typeof few): number => compareCovered(shown, whole, 1, 3).rms;
+    const stated = ({ stats }: typeof few): number => stats.error!.parts!.detail!.rms;
+    console.log(
+      `planes: ${[enough, few].map((one) => `${errorOf(one).toFixed(2)}, stated ${stated(one).toFixed(2)}, ${JSON.stringify(one.stats.bricks)}`).join('; ')}`,
+    );
+    expect(stated(enough)).to.be.at.most(1);
+    expect(errorOf(enough)).to.be.at.most(2);
+    expect(errorOf(few), 'few bricks').to.be.above(4);
+    expect(stated(few) / errorOf(few)).to.be.within(0.5, 3);
+  });
+
   it('is the picture of the whole, where all bricks that are visible fit', async function () {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [96, 96, 96], levels: 2 });
