@@ -31,8 +31,18 @@ export interface DetailScene {
   readonly isAway?: (x: number, y: number, z: number) => boolean;
   /** Opaque planes on which values are painted. */
   readonly planes?: readonly PaintedPlane[];
+  /** Undefined: colours do not depend on the direction in which values change. */
+  readonly light?: DetailLight;
   /** Shifts rays within their pixels, 0..1. */
   readonly shift?: readonly [number, number];
+}
+
+/** Light from the eye. */
+export interface DetailLight {
+  /** The share of a colour that goes with the cosine between the direction to the eye and that in which values change. */
+  readonly diffuse: number;
+  /** Edges of a voxel of the finest level, as shares of the unit cube. */
+  readonly voxel: Vector3;
 }
 
 /** Receives what is found, for each cell that a ray meets. Energies are sums over rays and four channels of squared differences, 0..1. */
@@ -62,6 +72,12 @@ const passed = 0.5;
 
 /** Differences of a level that is made of noise go together over so many voxels, times 2^level. */
 const correlated = 0.5;
+
+/** Values of a level's own detail change so many times as much with one of its voxels as their root mean square: waves of two to four voxels. */
+const changeOfOctave = 0.8;
+
+/** Light is looked at where a step brings more than this to the eye. */
+const leastLit = 0.01;
 
 /** Estimates what the coarse bricks of a picture hide, and what finer ones would bring. @param cells - their number */
 export function estimateDetail(scene: DetailScene, cells: number): DetailEstimate {
@@ -170,6 +186,20 @@ type Tracer = (
   dt: number,
 ) => RayDetail | null;
 
+/**
+ * What happens to the cosine between the eye and the direction in which values change, where others are added to these changes that go anywhere.
+ * @param ratio - of the added changes to those that are shown
+ * @returns how much smaller it is in the mean, and its variance. Where the others are much larger, the mean is a half, and the variance a twelfth
+ */
+function turnedLight(facing: number, ratio: number): { readonly darker: number; readonly variance: number } {
+  const added = ratio ** 2;
+  const share = added / (1 + added);
+  return {
+    darker: facing - Math.sqrt((facing ** 2 + added / 4) / (1 + added)),
+    variance: (share * (1 - share) * (1 - facing ** 2)) / 3 + share ** 2 / 12,
+  };
+}
+
 /** The level of what is cut away. */
 const cut = 255;
 
@@ -183,7 +213,7 @@ const maxSteps = 8192;
  * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
 function traceRays(
-  { field, sums, hidden, isAway, planes = [], finestAt = () => 0, voxels = 1 }: DetailScene,
+  { field, sums, hidden, isAway, planes = [], light, finestAt = () => 0, voxels = 1 }: DetailScene,
   isLossAsked: boolean,
 ): Tracer {
   const { levels } = field;
@@ -194,6 +224,8 @@ function traceRays(
   const [cellOf, blockOf] = [new Int32Array(maxSteps), new Int32Array(maxSteps)];
   const [levelAt, dueAt] = [new Uint8Array(maxSteps), new Uint8Array(maxSteps)];
   const togetherAt = new Float64Array(maxSteps);
+  /** How values change with a voxel, where that matters for light, else -1; and the cosine between that direction and the ray's. */
+  const [changeAt, facingAt] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
   const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
   /** The step at which the ray ends on a plane, and what values look like on it. */
   let [planeStep, ofPlane] = [-1, sums];
@@ -220,6 +252,27 @@ function traceRays(
     const { linear, isPeaked } = meanOfHidden(sums, { center, previous, rms, max, low, high }, into);
     const least = isPeaked ? passed : 1;
     return least + linear * Math.max(0, correlationOf(level) - least);
+  };
+  /** How values change at a place: by how much with a voxel of the finest level, and how much of that is along the ray. */
+  const changeIn = ([x, y, z]: Vector3, [i, j, k]: readonly number[], { voxel: [a, b, c] }: DetailLight) => {
+    const change = [
+      field.valueAt(x + a, y, z) - field.valueAt(x - a, y, z),
+      field.valueAt(x, y + b, z) - field.valueAt(x, y - b, z),
+      field.valueAt(x, y, z + c) - field.valueAt(x, y, z - c),
+    ].map((difference) => (Number.isNaN(difference) ? 0 : difference / 2));
+    const way = [i / a, j / b, k / c];
+    const along = change[0] * way[0] + change[1] * way[1] + change[2] * way[2];
+    const total = Math.hypot(...change);
+    return [total, total > 0 ? Math.abs(along) / total / Math.hypot(...way) : 0] as const;
+  };
+  /** How values that a level hides may change with a voxel: root of the mean square. */
+  const hiddenChange = (n: number, level: number): number => {
+    let sum = 0;
+    for (let at = dueAt[n]; at < level; at++) {
+      const ofOctave = hidden.rms(blockOf[n], at + 1) ** 2 - (at > 0 ? hidden.rms(blockOf[n], at) ** 2 : 0);
+      sum += Math.max(0, ofOctave) / 4 ** at;
+    }
+    return changeOfOctave * Math.sqrt(sum);
   };
   const isPlaneShown = (plane: PaintedPlane, places: readonly Vector3[]): boolean => {
     const value = field.valueAt(...places[0]);
@@ -260,6 +313,9 @@ function traceRays(
       togetherAt[used] = isCut || level === 0 ? 0 : seeHidden(used, level, spread);
       if (togetherAt[used] === 0) spread.set(means);
       spreads.set(spread, sumCount * used);
+      changeAt[used] = -1;
+      if (light && !isOnPlane && !isCut && (level > 0 || isLossAsked) && through * spread[3] > leastLit)
+        [changeAt[used], facingAt[used]] = changeIn([x, y, z], direction, light);
       through *= 1 - spread[3];
       isShown ||= means[3] > 0;
       last = value;
@@ -305,6 +361,16 @@ function traceRays(
             variance += Math.max(0, square - (spread[c] - back[c] * spread[3]) ** 2);
           }
           found[start + 4] += visible[n] ** 2 * variance * (together / voxels);
+          if (changeAt[n] < 0) continue;
+          const ratio = hiddenChange(n, at) / Math.max(changeAt[n], 1e-30);
+          const { darker, variance: ofLight } = turnedLight(facingAt[n], Math.min(1e3, ratio));
+          // Steps within the same surface have the same light.
+          const same = Math.min(1 / spread[3], Math.max(1, 2 ** (at - 1) / voxels));
+          for (let c = 0; c < 3; c++) {
+            const lit = visible[n] * spread[c] * light!.diffuse;
+            found[start + c] -= lit * darker;
+            found[start + 4] += lit ** 2 * ofLight * same;
+          }
         }
       }
       for (let c = 0; c < 4; c++) back[c] = shown[own + c] + (1 - shown[own + 3]) * back[c];

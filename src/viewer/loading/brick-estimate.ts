@@ -2,23 +2,19 @@
 import type { Brick } from '../../bricks/pyramid.ts';
 import { BrickGains, probeBricks } from '../../bricks/rank-bricks.ts';
 import { seekDetail } from '../../bricks/estimate-detail.ts';
-import type { PaintedPlane } from '../../bricks/painted-plane.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { ResidentDetail } from '../../bricks/resident-detail.ts';
 import { levelOfPixels } from '../../bricks/pixel-levels.ts';
 import { sumSpans } from '../../bricks/span-sums.ts';
 import type { Waiting } from '../../core/waiting.ts';
-import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
-import { brighten } from '../../optics/transfer/brighten.ts';
-import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { ErrorPart } from '../../quality/error-estimate.ts';
 import { voxelsAlong } from '../../quality/steps.ts';
 import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
-import type { VolumeOptics } from '../model/volume-info.ts';
+import { lightOf, paintedOf, seenValues } from './brick-looks.ts';
 import type { BrickPicture } from './brick-picture.ts';
 
 /** What was found. */
@@ -69,59 +65,11 @@ export function* estimateBricks(
     hidden: detail,
     across,
     finestAt,
+    light: lightOf(optics, bricks.finest),
     planes: planes?.map((plane) => paintedOf(plane, transferFunction, detail.range, volume)),
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
   const { rms, p99, finest } = yield* seekDetail(scene, gains);
   return { gains, probes, finest, error: { rms, p99, max: null } };
-}
-
-/** Steps that are so long, in reference lengths, are opaque where values have any opacity. */
-const opaqueLength = 1e6;
-
-/** A thick plane is taken to show the values in its middle. */
-function paintedOf(
-  { normal, offset, window }: PlaneSlice,
-  colors: TransferFunction,
-  range: readonly [number, number],
-  { slope, intercept }: Pick<Volume, 'slope' | 'intercept'>,
-): PaintedPlane {
-  const looks: TransferFunction = window
-    ? [
-        { value: window[0], color: [0, 0, 0], opacity: 1 },
-        { value: window[1], color: [1, 1, 1], opacity: 1 },
-      ]
-    : colors;
-  return { normal, offset, sums: sumSpans(looks, range, { slope, intercept, stepRatio: opaqueLength }) };
-}
-
-/** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */
-const rampOpacity = 0.8;
-
-/** How values are seen, and over which length. Projections are taken for a fog of all values, a surface for what is opaque behind it. */
-function seenValues(
-  { range }: Volume,
-  { transferFunction, lightFactor, referenceLength, projection, surfaces }: VolumeOptics,
-  diameter: number,
-): readonly [TransferFunction, number] {
-  if (projection)
-    return [
-      [
-        { value: range[0], color: [0, 0, 0], opacity: 0 },
-        { value: range[1], color: [1, 1, 1], opacity: rampOpacity },
-      ],
-      diameter,
-    ];
-  if (surfaces?.clear && surfaces.surfaces.length > 0) {
-    const [{ value, color }] = surfaces.surfaces;
-    return [
-      [
-        { value, color, opacity: 0 },
-        { value, color, opacity: 1 },
-      ],
-      referenceLength,
-    ];
-  }
-  return [brighten(transferFunction, lightFactor), referenceLength];
 }

@@ -3,7 +3,7 @@ import type { WorldCut } from '../../volume/world-cut.ts';
 import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { pictureSize } from '../model/picture-size.ts';
 import type { View } from '../model/scene.ts';
-import type { SocketView } from '../model/view-socket.ts';
+import type { SocketView, SocketViewer } from '../model/view-socket.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
 
 /** A picture, as far as bricks depend on it. */
@@ -28,12 +28,16 @@ export interface KeyedPicture extends BrickPicture {
 export function describePicture(
   { host, settings }: Pick<SocketView, 'host' | 'settings'>,
   { view, projection }: View,
-  { optics, away, planes }: Pick<BrickPicture, 'optics' | 'away' | 'planes'>,
+  { optics, cuts }: { readonly optics: VolumeOptics; readonly cuts: SocketViewer['shown']['cuts'] },
 ): KeyedPicture {
   const { width, height } = pictureSize(host, Infinity);
+  const { away } = cuts;
+  const planes = cuts.cuts.flatMap(({ items }) => items).filter(isPlane);
   const key = JSON.stringify([view, optics, away, planes, width, height, settings.quality.value?.maxError]);
   return { key, view: { view, projection }, optics, away, planes, pixels: [width, height] };
 }
+
+const isPlane = (item: unknown): item is PlaneSlice => (item as Partial<PlaneSlice>).kind === 'plane';
 
 /** How far numbers of a projection may be apart, as a share of them, so that no other bricks are asked for. */
 const nearly = 0.03;

@@ -15,7 +15,6 @@ import { socketOf } from '../model/view-socket.ts';
 import type { SocketView, ViewPart, ViewSocket } from '../model/view-socket.ts';
 import { BrickChoice } from './brick-choice.ts';
 import { BrickLoading } from './brick-loading.ts';
-import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { describePicture, isSamePicture } from './brick-picture.ts';
 import type { BrickPicture, KeyedPicture } from './brick-picture.ts';
 import { BrickDrawing, takeTurn } from './brick-drawing.ts';
@@ -125,11 +124,7 @@ export class BrickView implements ViewPart, KeptBricks {
     const { view } = this.parts;
     const { look, viewer } = view;
     if (this.#users === 0 || !look.current || viewer?.volume !== this.volume) return;
-    const { away, cuts } = viewer.shown.cuts;
-    const planes = cuts
-      .flatMap(({ items }) => items)
-      .filter((item): item is PlaneSlice => (item as Partial<PlaneSlice>).kind === 'plane');
-    const picture = describePicture(view, shown, { optics: look.current, away, planes });
+    const picture = describePicture(view, shown, { optics: look.current, cuts: viewer.shown.cuts });
     if (this.#picture && isSamePicture(picture, this.#picture)) return;
     // Views without a picture had theirs before.
     if (!this.#picture && this.#gaveWay) takeTurn(view, this.#life!.signal, this.#whenSettled!);
