@@ -108,7 +108,16 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
   const rays = setUpRays(whole.grid, view.view, view.projection)!;
   const look = Math.floor(looks.length * random());
   const transferFunction = parseTransferFunction(looks[look], [0, 255]);
-  const optics = { transferFunction, referenceLength: edge / 4, opacityFactor: 1, lightFactor: 1 } as VolumeOptics;
+  const optics: VolumeOptics = {
+    transferFunction,
+    window: [0, 255],
+    referenceLength: edge / 4,
+    opacityFactor: 1,
+    lightFactor: 1,
+    projection: null,
+    shading: 'unlit',
+    surfaces: null,
+  };
   const bricked = cutIntoBricks(whole, 3, () => false);
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
