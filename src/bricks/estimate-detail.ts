@@ -4,6 +4,8 @@ import { crossVolume, rayThrough } from '../optics/rays/rays.ts';
 import type { RaySetup } from '../optics/rays/rays.ts';
 import type { DetailField } from './detail-field.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { changeIn, hiddenChange, turnedLight } from './detail-light.ts';
+import type { DetailLight } from './detail-light.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import { meetPlane } from './painted-plane.ts';
 import type { PaintedPlane } from './painted-plane.ts';
@@ -37,14 +39,6 @@ export interface DetailScene {
   readonly shift?: readonly [number, number];
 }
 
-/** Light from the eye. */
-export interface DetailLight {
-  /** The share of a colour that goes with the cosine between the direction to the eye and that in which values change. */
-  readonly diffuse: number;
-  /** Edges of a voxel of the finest level, as shares of the unit cube. */
-  readonly voxel: Vector3;
-}
-
 /** Receives what is found, for each cell that a ray meets. Energies are sums over rays and four channels of squared differences, 0..1. */
 export interface DetailListener {
   /** How much less the energy is if the cell has this level instead of its present one. The finest level that counts comes first. */
@@ -72,9 +66,6 @@ const passed = 0.5;
 
 /** Differences of a level that is made of noise go together over so many voxels, times 2^level. */
 const correlated = 0.5;
-
-/** Values of a level's own detail change so many times as much with one of its voxels as their root mean square: waves of two to four voxels. */
-const changeOfOctave = 0.8;
 
 /** Light is looked at where a step brings more than this to the eye. */
 const leastLit = 0.01;
@@ -186,20 +177,6 @@ type Tracer = (
   dt: number,
 ) => RayDetail | null;
 
-/**
- * What happens to the cosine between the eye and the direction in which values change, where others are added to these changes that go anywhere.
- * @param ratio - of the added changes to those that are shown
- * @returns how much smaller it is in the mean, and its variance. Where the others are much larger, the mean is a half, and the variance a twelfth
- */
-function turnedLight(facing: number, ratio: number): { readonly darker: number; readonly variance: number } {
-  const added = ratio ** 2;
-  const share = added / (1 + added);
-  return {
-    darker: facing - Math.sqrt((facing ** 2 + added / 4) / (1 + added)),
-    variance: (share * (1 - share) * (1 - facing ** 2)) / 3 + share ** 2 / 12,
-  };
-}
-
 /** The level of what is cut away. */
 const cut = 255;
 
@@ -253,27 +230,6 @@ function traceRays(
     const least = isPeaked ? passed : 1;
     return least + linear * Math.max(0, correlationOf(level) - least);
   };
-  /** How values change at a place: by how much with a voxel of the finest level, and how much of that is along the ray. */
-  const changeIn = ([x, y, z]: Vector3, [i, j, k]: readonly number[], { voxel: [a, b, c] }: DetailLight) => {
-    const change = [
-      field.valueAt(x + a, y, z) - field.valueAt(x - a, y, z),
-      field.valueAt(x, y + b, z) - field.valueAt(x, y - b, z),
-      field.valueAt(x, y, z + c) - field.valueAt(x, y, z - c),
-    ].map((difference) => (Number.isNaN(difference) ? 0 : difference / 2));
-    const way = [i / a, j / b, k / c];
-    const along = change[0] * way[0] + change[1] * way[1] + change[2] * way[2];
-    const total = Math.hypot(...change);
-    return [total, total > 0 ? Math.abs(along) / total / Math.hypot(...way) : 0] as const;
-  };
-  /** How values that a level hides may change with a voxel: root of the mean square. */
-  const hiddenChange = (n: number, level: number): number => {
-    let sum = 0;
-    for (let at = dueAt[n]; at < level; at++) {
-      const ofOctave = hidden.rms(blockOf[n], at + 1) ** 2 - (at > 0 ? hidden.rms(blockOf[n], at) ** 2 : 0);
-      sum += Math.max(0, ofOctave) / 4 ** at;
-    }
-    return changeOfOctave * Math.sqrt(sum);
-  };
   const isPlaneShown = (plane: PaintedPlane, places: readonly Vector3[]): boolean => {
     const value = field.valueAt(...places[0]);
     if (Number.isNaN(value)) return false;
@@ -315,7 +271,7 @@ function traceRays(
       spreads.set(spread, sumCount * used);
       changeAt[used] = -1;
       if (light && !isOnPlane && !isCut && (level > 0 || isLossAsked) && through * spread[3] > leastLit)
-        [changeAt[used], facingAt[used]] = changeIn([x, y, z], direction, light);
+        [changeAt[used], facingAt[used]] = changeIn(field, [x, y, z], direction, light);
       through *= 1 - spread[3];
       isShown ||= means[3] > 0;
       last = value;
@@ -362,7 +318,7 @@ function traceRays(
           }
           found[start + 4] += visible[n] ** 2 * variance * (together / voxels);
           if (changeAt[n] < 0) continue;
-          const ratio = hiddenChange(n, at) / Math.max(changeAt[n], 1e-30);
+          const ratio = hiddenChange(hidden, blockOf[n], dueAt[n], at) / Math.max(changeAt[n], 1e-30);
           const { darker, variance: ofLight } = turnedLight(facingAt[n], Math.min(1e3, ratio));
           // Steps within the same surface have the same light.
           const same = Math.min(1 / spread[3], Math.max(1, 2 ** (at - 1) / voxels));

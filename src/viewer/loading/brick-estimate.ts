@@ -66,7 +66,7 @@ export function* estimateBricks(
     across,
     finestAt,
     light: lightOf(optics, bricks.finest),
-    planes: planes?.map((plane) => paintedOf(plane, transferFunction, detail.range, volume)),
+    planes: planes?.map((plane) => paintedOf(plane, optics, detail.range, volume)),
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);

@@ -1,5 +1,5 @@
 // How the values of a volume in bricks look, as far as it matters for what bricks bring to a picture.
-import type { DetailLight } from '../../bricks/estimate-detail.ts';
+import type { DetailLight } from '../../bricks/detail-light.ts';
 import type { PaintedPlane } from '../../bricks/painted-plane.ts';
 import { sumSpans } from '../../bricks/span-sums.ts';
 import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
@@ -26,7 +26,7 @@ const opaqueLength = 1e6;
 /** A thick plane is taken to show the values in its middle. */
 export function paintedOf(
   { normal, offset, window }: PlaneSlice,
-  colors: TransferFunction,
+  { transferFunction, lightFactor }: VolumeOptics,
   range: readonly [number, number],
   { slope, intercept }: Pick<Volume, 'slope' | 'intercept'>,
 ): PaintedPlane {
@@ -35,15 +35,17 @@ export function paintedOf(
         { value: window[0], color: [0, 0, 0], opacity: 1 },
         { value: window[1], color: [1, 1, 1], opacity: 1 },
       ]
-    : colors;
+    : brighten(transferFunction, lightFactor);
   return { normal, offset, sums: sumSpans(looks, range, { slope, intercept, stepRatio: opaqueLength }) };
 }
 
 /** Opacity of a ramp, along the diameter: values differ in it, and one sees through it. */
 const rampOpacity = 0.8;
 
-/** How values are seen, and over which length. Projections are taken for a fog of all values, and the first opaque surface for what is opaque behind it: translucent ones in front of
- * it do not count. */
+/**
+ * How values are seen, and over which length. Projections are taken for a fog of all values, and the first opaque surface for what is opaque
+ * behind it: translucent ones in front of it do not count.
+ */
 export function seenValues(
   { range }: Volume,
   { transferFunction, lightFactor, referenceLength, projection, surfaces }: VolumeOptics,
@@ -60,9 +62,9 @@ export function seenValues(
   const fog = brighten(transferFunction, lightFactor);
   if (!surfaces || surfaces.surfaces.length === 0) return [fog, referenceLength];
   const opaque = surfaces.surfaces.filter(({ opacity }) => opacity > 0.5);
-  const values = (opaque.length > 0 ? opaque : surfaces.surfaces).map(({ value }) => value);
-  const first = surfaces.surfaces.find(({ value }) => value === Math.min(...values))!;
-  const { value, color } = first;
+  const { value, color } = (opaque.length > 0 ? opaque : surfaces.surfaces).reduce((one, other) =>
+    other.value < one.value ? other : one,
+  );
   const before: TransferFunction = surfaces.clear
     ? [{ value, color, opacity: 0 }]
     : [...fog.filter((stop) => stop.value < value), stopAt(fog, value)];

@@ -57,7 +57,7 @@ describe('what bricks are asked for by', () => {
     const plane = { kind: 'plane', normal: [0, 0, 1], offset: 0.5, slab: null } as const;
     const greyAt = (value: number): number[] => {
       const means = new Float64Array(11);
-      paintedOf({ ...plane, window: [20, 80] }, fog, [0, 100], volume).sums.addMeans(value, value, 1, means);
+      paintedOf({ ...plane, window: [20, 80] }, optics, [0, 100], volume).sums.addMeans(value, value, 1, means);
       return [...means.slice(0, 4)];
     };
     for (const [value, grey] of [
@@ -66,13 +66,18 @@ describe('what bricks are asked for by', () => {
       [90, 1],
     ])
       greyAt(value).forEach((x, c) => expect(x, `${value}`).to.be.closeTo(c < 3 ? grey : 1, 1e-3));
-    const colored = paintedOf(
-      { ...plane, window: null },
-      [{ ...fog[0], value: 40 }, ...fog.slice(1)],
-      [0, 100],
-      volume,
-    );
+    const ofClear = { ...optics, transferFunction: [{ ...fog[0], value: 40 }, ...fog.slice(1)] };
+    const colored = paintedOf({ ...plane, window: null }, ofClear, [0, 100], volume);
     expect(colored.sums.meanOpacity(30, 30)).to.equal(0);
     expect(colored.sums.meanOpacity(60, 60)).to.be.closeTo(1, 1e-6);
+  });
+
+  it('is the own colours of a plane, also in a projection and among surfaces', () => {
+    const plane = { kind: 'plane', normal: [0, 0, 1], offset: 0.5, slab: null, window: null } as const;
+    for (const more of [{ projection: 'max' } as const, { surfaces: { surfaces: [bone], clear: true } }]) {
+      const means = new Float64Array(11);
+      paintedOf(plane, { ...optics, ...more } as VolumeOptics, [0, 100], volume).sums.addMeans(90, 90, 1, means);
+      [0, 0, 1].forEach((x, c) => expect(means[c]).to.be.closeTo(x, 1e-6));
+    }
   });
 });
