@@ -1,6 +1,7 @@
 // Opaque planes through a volume, on which its values are painted, for the estimate of what coarse bricks hide.
 import { add, dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { DetailField } from './detail-field.ts';
 import type { SpanSums } from './span-sums.ts';
 
 /** Places p of the unit cube with normal . p = offset. */
@@ -48,4 +49,30 @@ export function meetPlane(
     if (isShown(plane, places)) nearest = { plane, t: inside, places };
   }
   return nearest;
+}
+
+/** Finds the plane on which a ray of an estimate ends, and where on it the coarser side is: where a plane lies between two cells, pixels may show either. Null for no planes. */
+export function planeFinder(
+  field: DetailField,
+  planes: readonly PaintedPlane[],
+  isAway?: (x: number, y: number, z: number) => boolean,
+): ((ray: Parameters<typeof meetPlane>[1]) => (PlaneMeeting & { readonly coarsest: Vector3 }) | null) | null {
+  if (planes.length === 0) return null;
+  const isShown = (plane: PaintedPlane, places: readonly Vector3[]): boolean => {
+    const value = field.valueAt(...places[0]);
+    if (Number.isNaN(value)) return false;
+    // A plane on the face of a cut is there.
+    if (isAway && places.every((place) => isAway(...place))) return false;
+    return plane.sums.meanOpacity(value, value) > 0.5;
+  };
+  const levelAt = (place: Vector3): number => field.levelOf(field.cellAt(...place));
+  return (ray) => {
+    const met = meetPlane(planes, ray, isShown);
+    return (
+      met && {
+        ...met,
+        coarsest: met.places.reduce((one, other) => (levelAt(other) > levelAt(one) ? other : one)),
+      }
+    );
+  };
 }

@@ -3,7 +3,7 @@ import type { RaySetup } from '../optics/rays/rays.ts';
 import { brickAround, brickOfCell, cellOfPlace, numberOfBrick, placeOfCell } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { RankedBrick } from './choose-bricks.ts';
-import type { DetailListener } from './estimate-detail.ts';
+import type { DetailListener } from './detail-scene.ts';
 import type { Brick } from './pyramid.ts';
 import type { ResidentBrick, ResidentBricks } from './resident-bricks.ts';
 import type { Vector3 } from '../volume/matrix.ts';

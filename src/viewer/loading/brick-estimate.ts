@@ -14,7 +14,7 @@ import { finestSpacing, unitToWorld } from '../../volume/grid.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
-import { lightOf, paintedOf, seenValues } from './brick-looks.ts';
+import { extremeOf, lightOf, paintedOf, seenValues } from './brick-looks.ts';
 import type { BrickPicture } from './brick-picture.ts';
 
 /** What was found. */
@@ -49,7 +49,8 @@ export function* estimateBricks(
   const toWorld = unitToWorld(volume.grid);
   const [transferFunction, referenceLength] = seenValues(volume, optics, rays.diameter);
   // The largest value of a ray is not that of averages, however small it appears.
-  const pixels = optics.projection && optics.projection !== 'average' ? undefined : picture.pixels;
+  const extreme = extremeOf(optics, volume);
+  const pixels = extreme ? undefined : picture.pixels;
   const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
   const gains = new BrickGains(bricks);
   const scene = {
@@ -65,6 +66,7 @@ export function* estimateBricks(
     hidden: detail,
     across,
     finestAt,
+    extreme,
     light: lightOf(optics, bricks.finest),
     planes: planes?.map((plane) => paintedOf(plane, optics, detail.range, volume)),
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),

@@ -1,11 +1,12 @@
 // How the values of a volume in bricks look, as far as it matters for what bricks bring to a picture.
 import type { DetailLight } from '../../bricks/detail-light.ts';
+import type { ExtremeLook } from '../../bricks/detail-scene.ts';
 import type { PaintedPlane } from '../../bricks/painted-plane.ts';
 import { sumSpans } from '../../bricks/span-sums.ts';
 import type { PlaneSlice } from '../../optics/attachments/plane-slices.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
-import { evaluate } from '../../optics/transfer/transfer-function.ts';
-import type { Stop, TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { evaluate, largestOpacity } from '../../optics/transfer/transfer-function.ts';
+import type { Premultiplied, Stop, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { GridFrame } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
@@ -18,6 +19,21 @@ const diffuse = 0.7;
 export function lightOf({ shading, surfaces, projection }: VolumeOptics, finest: GridFrame): DetailLight | undefined {
   if (projection || (shading === 'unlit' && !surfaces?.surfaces.length)) return undefined;
   return { diffuse, voxel: finest.dimensions.map((n) => 1 / n) as unknown as Vector3 };
+}
+
+/** The largest or smallest value of each ray, if that is what a picture shows: the largest opacity counts as 1, as in `classifyValue`. */
+export function extremeOf(
+  { projection, transferFunction, lightFactor }: VolumeOptics,
+  { slope, intercept }: Pick<Volume, 'slope' | 'intercept'>,
+): ExtremeLook | undefined {
+  if (!projection || projection === 'average') return undefined;
+  const looks = brighten(transferFunction, lightFactor);
+  const largest = largestOpacity(looks);
+  return {
+    // Values of a file may fall where stored ones rise.
+    sign: (projection === 'max') === slope > 0 ? 1 : -1,
+    colorOf: (value) => evaluate(looks, slope * value + intercept).map((x) => x / largest) as Premultiplied,
+  };
 }
 
 /** Steps that are so long, in reference lengths, are opaque where values have any opacity. */
@@ -43,7 +59,7 @@ export function paintedOf(
 const rampOpacity = 0.8;
 
 /**
- * How values are seen, and over which length. Projections are taken for a fog of all values, and the first opaque surface for what is opaque
+ * How values are seen, and over which length. An average of a ray is taken for a fog of all values, and the first opaque surface for what is opaque
  * behind it: translucent ones in front of it do not count.
  */
 export function seenValues(

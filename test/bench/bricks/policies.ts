@@ -2,7 +2,7 @@
 import { projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
 import type { Camera } from '../../../src/optics/rays/camera.ts';
 import { estimateDetail } from '../../../src/bricks/estimate-detail.ts';
-import type { DetailScene } from '../../../src/bricks/estimate-detail.ts';
+import type { DetailScene } from '../../../src/bricks/detail-scene.ts';
 import { chooseBricks } from '../../../src/bricks/choose-bricks.ts';
 import type { BrickCells } from '../../../src/bricks/choose-bricks.ts';
 import type { Pyramid } from '../../../src/bricks/pyramid.ts';

@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { plainMaterial } from '../../../../src/optics/transfer/lights.ts';
 import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
 import type { Stop } from '../../../../src/optics/transfer/transfer-function.ts';
-import { lightOf, paintedOf, seenValues } from '../../../../src/viewer/loading/brick-looks.ts';
+import { extremeOf, lightOf, paintedOf, seenValues } from '../../../../src/viewer/loading/brick-looks.ts';
 import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../../src/volume/grid.ts';
 import type { Volume } from '../../../../src/volume/volume.ts';
@@ -51,6 +51,19 @@ describe('what bricks are asked for by', () => {
     expect(lightOf({ ...optics, shading: 'lit' }, grid)!.voxel).to.deep.equal([1 / 10, 1 / 20, 1 / 40]);
     expect(lightOf({ ...optics, surfaces: { surfaces: [bone] } }, grid)!.diffuse).to.equal(plainMaterial.diffuse);
     expect(lightOf({ ...optics, shading: 'lit', projection: 'max' }, grid)).to.equal(undefined);
+  });
+
+  it('is the largest or smallest value of a ray, where that is shown', () => {
+    expect(extremeOf(optics, volume)).to.equal(undefined);
+    expect(extremeOf({ ...optics, projection: 'average' }, volume)).to.equal(undefined);
+    const { sign, colorOf } = extremeOf({ ...optics, projection: 'max' }, volume)!;
+    expect(sign).to.equal(1);
+    expect(colorOf(50)).to.deep.equal([0, 0, 0.5, 0.5]);
+    // A larger stored value may be a smaller one of the file.
+    const falling = extremeOf({ ...optics, projection: 'max' }, { slope: -1, intercept: 100 })!;
+    expect(falling.sign).to.equal(-1);
+    expect(falling.colorOf(100)).to.deep.equal([0, 0, 0, 0]);
+    expect(extremeOf({ ...optics, projection: 'min' }, volume)!.sign).to.equal(-1);
   });
 
   it('is what planes show: greys of a window, or the colours of what can be seen', () => {
