@@ -6,6 +6,7 @@ import type { DetailLight } from './detail-light.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import type { PaintedPlane } from './painted-plane.ts';
 import type { SpanSums } from './span-sums.ts';
+import type { SteepLooks } from './steep-looks.ts';
 
 /** How rays show one value each: the largest or the smallest. */
 export interface ExtremeLook {
@@ -36,6 +37,8 @@ export interface DetailScene {
   readonly planes?: readonly PaintedPlane[];
   /** Undefined: colours do not depend on the direction in which values change. */
   readonly light?: DetailLight;
+  /** Undefined: nothing else depends on how values change. */
+  readonly steep?: SteepLooks;
   /** Undefined: rays show all that emits and absorbs. */
   readonly extreme?: ExtremeLook;
   /** Shifts rays within their pixels, 0..1. */

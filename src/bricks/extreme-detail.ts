@@ -13,17 +13,25 @@ const bins = 16;
 /** Samples that a step takes at most, where its level has several voxels in it. */
 const mostSamples = 4;
 
+/**
+ * Half of what is hidden are single voxels as far off as the largest residual. So many of them does a ray meet in a voxel's length, times the square of the root mean square over
+ * that residual: 4 of each, as interpolation spreads one over 2 x 2 voxels across, and (2/3)^3 of its square is left between voxels. Such a peak has more than the share t of its
+ * height with the probability 1 - t + t ln t: the area in which (1 - x) (1 - y) > t.
+ */
+const peaksOfVariance = (4 * 0.5) / (2 / 3) ** 3;
+
 /** Of a probability of 0, for sums. */
 const never = -30;
 
-/** A value that may lie anywhere in two boxes, times the sign: the largest counts. */
+/** What a value may be, times the sign: the largest counts. Anything within `width` of the center, or a peak up to `max` above it. */
 interface Spread {
   readonly center: number;
   readonly low: number;
   readonly high: number;
   readonly max: number;
   readonly width: number;
-  readonly far: number;
+  /** How likely a peak is. */
+  readonly peaks: number;
   /** How many such values there are in a step, independent of each other. */
   readonly draws: number;
 }
@@ -123,24 +131,29 @@ function walker(
 }
 
 function signed({ center, rms, max, low, high }: HiddenSpread, sign: 1 | -1, draws: number): Spread {
-  const ends = [sign * low, sign * high];
+  const [ends, middle] = [[sign * low, sign * high], sign * center];
+  const [least, most] = [Math.min(...ends), Math.max(...ends)];
+  const [up, down] = [Math.min(max, most - middle), Math.min(max, middle - least)];
   return {
-    center: sign * center,
-    low: Math.min(...ends),
-    high: Math.max(...ends),
+    center: middle,
+    low: least,
+    high: most,
     max,
-    ...boxesOf(rms, max),
+    width: boxesOf(rms, max).width,
+    peaks: up > 0 ? Math.min(0.5, (peaksOfVariance * (rms / max) ** 2 * up) / (up + Math.max(0, down))) : 0,
     draws,
   };
 }
 
 /** Logarithm of the probability that none of a step's values is above x. */
-function chanceBelow(x: number, { center, low, high, max, width, far, draws }: Spread): number {
+function chanceBelow(x: number, { center, low, high, max, width, peaks, draws }: Spread): number {
   if (x >= high) return 0;
   if (x < low) return never;
   const inBox = (half: number): number =>
     half > 0 ? Math.min(1, Math.max(0, (x - center + half) / (2 * half))) : Number(x >= center);
-  const chance = far * inBox(max) + (1 - far) * inBox(width);
+  const t = max > 0 ? Math.min(1, Math.abs(x - center) / max) : 1;
+  const beyond = peaks * (t > 0 ? 1 - t + t * Math.log(t) : 1);
+  const chance = inBox(width) * (x >= center ? 1 - beyond : 1);
   return chance > 0 ? Math.max(never, draws * Math.log(chance)) : never;
 }
 

@@ -301,6 +301,10 @@ export class ResidentDetail implements HiddenValues, DetailField {
     return this.bricks.storedAt([x, y, z]);
   }
 
+  voxelAt(x: number, y: number, z: number): Vector3 {
+    return this.bricks.voxelAt([x, y, z]);
+  }
+
   cellAt(x: number, y: number, z: number): number {
     return this.bricks.cellAt([x, y, z]);
   }

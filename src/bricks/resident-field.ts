@@ -38,10 +38,15 @@ export function residentSampler(pyramid: Pyramid, levelOf: Uint8Array): (x: numb
 
 /** What an estimate of the detail reads of a pyramid. */
 export function detailField(pyramid: Pyramid, levelOf: Uint8Array): DetailField {
+  const cellAt = cellFinder(pyramid);
+  const voxels = pyramid.levels.map(
+    (_, level) => pyramid.levels[0].dimensions.map((n) => 2 ** level / n) as unknown as Vector3,
+  );
   return {
     levels: pyramid.levels.length,
     valueAt: residentSampler(pyramid, levelOf),
-    cellAt: cellFinder(pyramid),
+    voxelAt: (x, y, z) => voxels[levelOf[cellAt(x, y, z)]],
+    cellAt,
     levelOf: (cell) => levelOf[cell],
   };
 }

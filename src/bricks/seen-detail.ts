@@ -1,10 +1,14 @@
 // What coarse bricks do to what rays show of all values: emission and absorption, values on planes, light.
-import { changeIn, hiddenChange, turnedLight } from './detail-light.ts';
+import { add, scale } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { changeAlong, changeIn, hiddenChange, turnedLight } from './detail-light.ts';
 import { maxSteps } from './detail-scene.ts';
-import type { DetailListener, DetailScene, RayEstimate } from './detail-scene.ts';
+import type { DetailListener, DetailRay, DetailScene, RayEstimate } from './detail-scene.ts';
 import { meanOfHidden, spreadAt } from './hidden-means.ts';
 import { planeFinder } from './painted-plane.ts';
 import { sumCount } from './span-sums.ts';
+import type { SpanSums } from './span-sums.ts';
+import { addStyled, anyChange } from './steep-looks.ts';
 
 /** A ray whose transmittance is below this shows nothing that comes behind. */
 const opaque = 1e-3;
@@ -17,6 +21,9 @@ const correlated = 0.5;
 
 /** Light is looked at where a step brings more than this to the eye. */
 const leastLit = 0.01;
+
+/** How values change is looked at where a step is more opaque than this, or could bring more than this to the eye. */
+const leastSteep = 0.001;
 
 /** For each cell that a ray meets, and each level up to its present one, its bias and its variance. */
 interface FoundCells {
@@ -76,7 +83,7 @@ const cut = 255;
  * @param isLossAsked - the level that a cell would have without its brick is looked at too
  */
 export function estimateSeen(
-  { field, sums, hidden, isAway, planes = [], light, finestAt = () => 0, voxels = 1 }: DetailScene,
+  { field, sums, hidden, isAway, planes = [], light, steep, finestAt = () => 0, voxels = 1 }: DetailScene,
   isLossAsked: boolean,
 ): RayEstimate {
   const { levels } = field;
@@ -89,10 +96,32 @@ export function estimateSeen(
   const togetherAt = new Float64Array(maxSteps);
   /** How values change with a voxel, where that matters for light, else -1; and the cosine between that direction and the ray's. */
   const [changeAt, facingAt] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
-  const [means, spread] = [new Float64Array(sumCount), new Float64Array(sumCount)];
+  const [means, spread, plain] = [new Float64Array(sumCount), new Float64Array(sumCount), new Float64Array(sumCount)];
+  /** Places of the steps; and how values change there, where `isSteep` says that it is known. */
+  const [places, changes] = [new Float64Array(3 * maxSteps), new Float64Array(3 * maxSteps)];
+  const isSteep = new Uint8Array(maxSteps);
+  let current: DetailRay;
   /** The step at which the ray ends on a plane, and what values look like on it. */
   let [planeStep, ofPlane] = [-1, sums];
   const correlationOf = (level: number): number => hidden.correlation?.(level) ?? correlated * 2 ** level;
+  const threeOf = (of: Float64Array, n: number): Vector3 => [of[3 * n], of[3 * n + 1], of[3 * n + 2]];
+  const changeOf = (n: number): Vector3 => {
+    if (isSteep[n] === 0) changes.set(changeAlong(field, threeOf(places, n), steep!.voxel), 3 * n);
+    isSteep[n] = 1;
+    return threeOf(changes, n);
+  };
+  /** What values show that change so. @param see - adds what they show by sums */
+  const addSteep = (
+    n: number,
+    change: Vector3,
+    { weight, see }: { readonly weight: number; see(sums: SpanSums, into: Float64Array): void },
+    into: Float64Array,
+  ): void => {
+    const { sumsOf, styleOf, ratio } = steep!;
+    see(sumsOf ? sumsOf(change) : sums, plain);
+    const style = styleOf && plain[3] > 0 ? styleOf(current, threeOf(places, n), change) : null;
+    addStyled(plain, style, { ratio, weight }, into);
+  };
   /**
    * What the hidden values of a level would show at a step.
    * @returns over how many voxels it goes together; 0 where the level hides nothing
@@ -108,12 +137,21 @@ export function estimateSeen(
       return voxels;
     }
     const { linear, isPeaked } = meanOfHidden(sums, spread, previous, into);
+    if (steep) {
+      // What nobody sees: its cost would be that of all else.
+      if (visible[n] * into[3] < leastSteep) return 0;
+      const [change, more] = [changeOf(n), hiddenChange(hidden, blockOf[n], dueAt[n], level)];
+      const see = (by: SpanSums, into: Float64Array): unknown => meanOfHidden(by, spread, previous, into);
+      into.fill(0);
+      for (const any of anyChange) addSteep(n, add(change, scale(any.change, more)), { weight: any.weight, see }, into);
+    }
     const least = isPeaked ? passed : 1;
     return least + linear * Math.max(0, correlationOf(level) - least);
   };
   const meet = planeFinder(field, planes, isAway);
   return (ray, listener) => {
     const { point, direction, entry, exit, dt } = ray;
+    current = ray;
     const plane = meet?.(ray) ?? null;
     const count = Math.min(maxSteps, plane ? Math.floor((plane.t - entry) / dt) + 1 : Math.ceil((exit - entry) / dt));
     planeStep = plane ? count - 1 : -1;
@@ -132,9 +170,19 @@ export function estimateSeen(
       blockOf[used] = hidden.blockAt(atX, atY, atZ);
       values[used] = value;
       visible[used] = through;
+      places.set([x, y, z], 3 * used);
+      isSteep[used] = 0;
       means.fill(0);
       if (isOnPlane) ofPlane.addMeans(value, value, 1, means);
-      else if (!Number.isNaN(value)) sums.addMeans(Number.isNaN(last) ? value : last, value, 1, means);
+      else if (!Number.isNaN(value)) {
+        const from = Number.isNaN(last) ? value : last;
+        sums.addMeans(from, value, 1, means);
+        if (steep && means[3] > leastSteep) {
+          const see = (by: SpanSums, into: Float64Array): void => by.addMeans(from, value, 1, into.fill(0));
+          means.fill(0);
+          addSteep(used, changeOf(used), { weight: 1, see }, means);
+        }
+      }
       for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];
       const level = isCut ? cut : field.levelOf(cell);
       levelAt[used] = level;

@@ -1,5 +1,5 @@
 import { emission } from '../optics/transfer/emission.ts';
-import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../optics/transfer/transfer-function.ts';
 
 /** Bins over the range of values. */
 const bins = 2048;
@@ -18,20 +18,33 @@ export interface SpanSums {
   meanOpacity(from: number, to: number): number;
 }
 
-/**
- * @param transferFunction - already brightened
- * @param range - of the stored values
- * @param stepRatio - length of a step in reference lengths, times the opacity factor
- */
+/** What stored values are, and how long a step is. */
+export interface StepScale {
+  readonly slope: number;
+  readonly intercept: number;
+  /** Length of a step in reference lengths, times the opacity factor. */
+  readonly stepRatio: number;
+}
+
+/** @param transferFunction - already brightened @param range - of the stored values */
 export function sumSpans(
   transferFunction: TransferFunction,
+  range: readonly [number, number],
+  scale: StepScale,
+): SpanSums {
+  return sumEmission((value) => emission(transferFunction, value), range, scale);
+}
+
+/** The same for any emission. @param emissionOf - of a data value: extinction times colour, and extinction, per reference length */
+export function sumEmission(
+  emissionOf: (value: number) => Premultiplied,
   [low, high]: readonly [number, number],
-  { slope, intercept, stepRatio }: { readonly slope: number; readonly intercept: number; readonly stepRatio: number },
+  { slope, intercept, stepRatio }: StepScale,
 ): SpanSums {
   const width = Math.max(high - low, 1e-30) / bins;
   const running = new Float64Array((bins + 1) * sumCount);
   for (let bin = 0; bin < bins; bin++) {
-    const [red, green, blue, extinction] = emission(transferFunction, slope * (low + (bin + 0.5) * width) + intercept);
+    const [red, green, blue, extinction] = emissionOf(slope * (low + (bin + 0.5) * width) + intercept);
     const opacity = 1 - Math.exp(-extinction * stepRatio);
     const share = extinction > 0 ? opacity / extinction : 0;
     const seen = [red * share, green * share, blue * share, opacity];

@@ -11,6 +11,8 @@ export { lightAt, litShade, towardsEye } from './rays/lit.ts';
 export { lightPatches, patchClassify } from './rays/patch-classify.ts';
 export { styledShade, stylesAt } from './rays/styled.ts';
 export { brightenSurfaces, surfaceGather } from './surfaces/surfaces.ts';
+export { meanOverWay } from './transfer/patches.ts';
+export { withLight } from './transfer/volume-styles.ts';
 
 /** A field whose gradient is known at each place. */
 export interface SlopedField {

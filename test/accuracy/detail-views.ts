@@ -121,7 +121,9 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
   const bricked = cutIntoBricks(whole, 3, () => false);
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
-  const estimate = () => atOnce(estimateBricks(bricked.volume, bricked.volume.finer, detail, { view, optics }))!;
+  let turns = 0;
+  const parts = { volume: bricked.volume, bricks: bricked.volume.finer, detail };
+  const estimate = () => atOnce(estimateBricks(parts, { view, optics }, { turn: turns++ }))!;
   // As the element does it: probes come first, level by level; then what brings most, until what is said is within `max-error`.
   const maxError = errors[Math.floor(errors.length * random())];
   const add = (brick: Brick): void => {

@@ -8,7 +8,8 @@ import type { Waiting } from '../../core/waiting.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { estimateBricks } from './brick-estimate.ts';
 import type { BrickEstimate } from './brick-estimate.ts';
-import type { BrickPicture } from './brick-picture.ts';
+import type { KeyedPicture } from './brick-picture.ts';
+import { isSteep, loadSteepCode } from './brick-steep.ts';
 
 /** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
 const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
@@ -52,6 +53,8 @@ export class BrickChoice {
   #exchanged = { key: '', slots: 0, times: 0, error: Infinity };
   /** The picture for which what was in doubt has been looked at. */
   #sureOf = '';
+  /** How often a picture was looked at. */
+  #turns = { key: '', turn: 0 };
   readonly #unreadable = new Set<string>();
 
   constructor(
@@ -59,9 +62,12 @@ export class BrickChoice {
     readonly detail: ResidentDetail,
   ) {}
 
-  /** What bricks would bring to a picture, with pauses. @returns null where no ray can be cast */
-  estimate(volume: Volume, picture: BrickPicture): Waiting<BrickEstimate | null> {
-    return estimateBricks(volume, this.bricks, this.detail, picture);
+  /** What bricks would bring to a picture, with pauses; null where no ray can be cast. Where styles need it, code is loaded first. */
+  async estimate(volume: Volume, picture: KeyedPicture): Promise<Waiting<BrickEstimate | null>> {
+    const steepCode = isSteep(picture.optics) ? await loadSteepCode() : undefined;
+    if (picture.key !== this.#turns.key) this.#turns = { key: picture.key, turn: 0 };
+    const turn = this.#turns.turn++;
+    return estimateBricks({ volume, bricks: this.bricks, detail: this.detail }, picture, { turn, steepCode });
   }
 
   choose({ error: { rms }, gains, probes, finest }: BrickEstimate, wish: PictureWish): ChosenBricks {

@@ -16,6 +16,8 @@ import type { Volume } from '../../volume/volume.ts';
 import { isKept } from '../../volume/world-cut.ts';
 import { extremeOf, lightOf, paintedOf, seenValues } from './brick-looks.ts';
 import type { BrickPicture } from './brick-picture.ts';
+import { steepOf } from './brick-steep.ts';
+import type { SteepCode } from './brick-steep.ts';
 
 /** What was found. */
 export interface BrickEstimate {
@@ -34,12 +36,29 @@ const across = 36;
 /** Steps along the longest ray. */
 const [leastSteps, mostSteps] = [128, 320];
 
+/** Which estimate of a picture it is, and what it needs. */
+export interface EstimateTurn {
+  /**
+   * From 0. Each turn has rays at other places of their pixels: bricks are chosen for those of the turn before, so these rays alone would say too little of what is
+   * missing.
+   */
+  readonly turn: number;
+  /** Where `isSteep`. */
+  readonly steepCode?: SteepCode;
+}
+
+/** Shares of a pixel from one turn to the next, across and down: they fill it evenly. Source: Roberts 2018, powers of the plastic number. */
+const nextShift = [0.7548776662, 0.569840291] as const;
+
 /** Estimates what the bricks bring, with pauses. @returns null where no ray can be cast */
 export function* estimateBricks(
-  volume: Volume,
-  bricks: ResidentBricks,
-  detail: ResidentDetail,
+  {
+    volume,
+    bricks,
+    detail,
+  }: { readonly volume: Volume; readonly bricks: ResidentBricks; readonly detail: ResidentDetail },
   { view, optics, away, planes, ...picture }: BrickPicture,
+  { turn, steepCode }: EstimateTurn,
 ): Waiting<BrickEstimate | null> {
   const rays = setUpRays(volume.grid, view.view, view.projection);
   if (!rays) return null;
@@ -53,21 +72,26 @@ export function* estimateBricks(
   const pixels = extreme ? undefined : picture.pixels;
   const finestAt = pixels && levelOfPixels(rays, pixels, detail.voxels);
   const gains = new BrickGains(bricks);
+  const scale = {
+    slope: volume.slope,
+    intercept: volume.intercept,
+    stepRatio: (length / referenceLength) * optics.opacityFactor,
+  };
+  const steep = steepCode && steepOf(steepCode, optics, { volume, finest: bricks.finest, stored: detail.range }, scale);
   const scene = {
     field: detail,
     rays,
-    sums: sumSpans(transferFunction, detail.range, {
-      slope: volume.slope,
-      intercept: volume.intercept,
-      stepRatio: (length / referenceLength) * optics.opacityFactor,
-    }),
+    sums: sumSpans(transferFunction, detail.range, scale),
     step: 1 / steps,
     voxels: length / finestSpacing(bricks.finest),
     hidden: detail,
     across,
+    shift: nextShift.map((share) => (0.5 + turn * share) % 1) as unknown as readonly [number, number],
     finestAt,
     extreme,
-    light: lightOf(optics, bricks.finest),
+    steep,
+    // Styles have their light with them.
+    light: steep?.styleOf ? undefined : lightOf(optics, bricks.finest),
     planes: planes?.map((plane) => paintedOf(plane, optics, detail.range, volume)),
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };

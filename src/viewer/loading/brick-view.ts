@@ -316,7 +316,7 @@ export class BrickView implements ViewPart, KeptBricks {
       const picture = this.#picture;
       const changes = this.#changes;
       let isExchange = false;
-      const work = picture && this.#choice.estimate(this.volume, picture);
+      const work = picture && (await this.#choice.estimate(this.volume, picture));
       const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
       if (found) {

@@ -118,6 +118,47 @@ describe('a pyramid in bricks on a page', () => {
     expect(stated(few) / errorOf(few)).to.be.within(0.5, 3);
   });
 
+  const grey = '0 #000 100%, 255 #fff 100%';
+  const otherPictures: Record<string, readonly [attributes: Record<string, string>, inner?: string]> = {
+    'the largest value': [{ projection: 'max', 'transfer-function': grey }],
+    'the smallest value': [{ projection: 'min', 'transfer-function': '0 #fff 100%, 255 #000 100%' }],
+    'what is opaque where values change': [{ 'gradient-opacity': '6 0, 14 1' }],
+    'values and gradients': [{ 'transfer-function-2d': 'box 60 190 10 20 #fd8 30%' }],
+    'a silhouette': [
+      { 'transfer-function': '0 #fd8 0, 100 #fd8 0, 140 #fd8 60%, 255 #fd8 60%' },
+      '<SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0.02" silhouetteBoundaryOpacity="1" silhouetteSharpness="2"></SilhouetteEnhancementVolumeStyle>',
+    ],
+    'a cartoon': [
+      { 'transfer-function': '0 #fd8 0, 100 #fd8 0, 140 #fd8 100%, 255 #fd8 100%' },
+      '<CartoonVolumeStyle></CartoonVolumeStyle>',
+    ],
+  };
+  for (const [name, [attributes, inner = '']] of Object.entries(otherPictures))
+    it(`is read for ${name}, and says what is missing`, async function () {
+      this.timeout(90_000);
+      const { fetch } = serve({ dimensions: [128, 128, 128], levels: 2 });
+      const draw = async (more: Record<string, string>): Promise<{ shown: Float64Array; stats: RenderStats }> => {
+        const view = addView(fetch, { ...fromAfar, shading: 'unlit', 'max-error': '1', ...attributes, ...more });
+        view.style.cssText = 'display: block; width: 160px; height: 120px';
+        view.innerHTML = inner;
+        await view.whenRendered();
+        const result = { shown: await pixelsOf(view), stats: view.renderStats! };
+        view.remove();
+        return result;
+      };
+      const { shown: whole } = await draw({});
+      const [enough, few] = [await draw({ 'max-gpu-bytes': '2.05e6' }), await draw({ 'max-gpu-bytes': '0.6e6' })];
+      const errorOf = ({ shown }: typeof few): number => compareCovered(shown, whole, 1, 3).rms;
+      const stated = ({ stats }: typeof few): number => stats.error!.rms;
+      console.log(
+        `${name}: ${[enough, few].map((one) => `${errorOf(one).toFixed(2)}, stated ${stated(one).toFixed(2)}, ${JSON.stringify(one.stats.bricks)}`).join('; ')}`,
+      );
+      expect(errorOf(few), 'few bricks').to.be.above(5);
+      expect(stated(few) / errorOf(few)).to.be.within(1 / 2, 2);
+      expect(stated(enough)).to.be.below(stated(few) / 2);
+      expect(errorOf(enough)).to.be.at.most(3 + 1.5 * stated(enough));
+    });
+
   it('is the picture of the whole, where all bricks that are visible fit', async function () {
     this.timeout(90_000);
     const { fetch, log } = serve({ dimensions: [96, 96, 96], levels: 2 });

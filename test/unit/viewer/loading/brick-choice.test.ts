@@ -1,13 +1,17 @@
 // Which bricks a view asks for next, and when it has enough.
 import { expect } from '@esm-bundle/chai';
 import type { Brick } from '../../../../src/bricks/pyramid.ts';
+import { atOnce } from '../../../../src/core/waiting.ts';
+import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
+import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
+import { boundingSphere } from '../../../../src/volume/grid.ts';
 import { BrickGains } from '../../../../src/bricks/rank-bricks.ts';
 import { keyOfBrick } from '../../../../src/bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../../../src/bricks/resident-detail.ts';
 import { BrickChoice } from '../../../../src/viewer/loading/brick-choice.ts';
 import type { ChosenBricks, PictureWish } from '../../../../src/viewer/loading/brick-choice.ts';
 import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
-import { syntheticVolume } from '../../../helpers/synthetic.ts';
+import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 /** Bricks of 64 and 32 voxels over a volume of 32 voxels along each axis; none is there. */
 function makeChoice() {
@@ -85,5 +89,54 @@ describe('What a view in bricks asks for next', () => {
     expect(choose(5.9, full).missing).to.deep.equal([]);
     expect(choose(5.9, { slots: 1 }).missing).to.have.length.above(0);
     expect(choose(5.9, { ...full, key: 'b' }).missing).to.have.length.above(0);
+  });
+});
+
+describe('What bricks would bring to a picture', () => {
+  const random = randomNumbers(3);
+  const whole = syntheticVolume({ dimensions: [64, 64, 64], field: () => random(), slope: 255 });
+  const { volume } = cutIntoBricks(whole, 2, () => false);
+  const { center, radius } = boundingSphere(whole.grid);
+  const camera = orbitCamera({ theta: 0.4, phi: 1.3, radius: framingDistance(radius, 0.6, 1) }, center, 0.6);
+  const view = { view: viewMatrix(camera), projection: projectionMatrix(0.6, 1, 1, 2) };
+  const optics: VolumeOptics = {
+    transferFunction: [
+      { value: 0, color: [0, 0, 1], opacity: 0 },
+      { value: 255, color: [1, 0.8, 0.5], opacity: 0.2 },
+    ],
+    window: [0, 255],
+    referenceLength: 1,
+    opacityFactor: 1,
+    lightFactor: 1,
+    projection: null,
+    shading: 'unlit',
+    surfaces: null,
+  };
+  const styles = [
+    { weight: 1, styles: [{ kind: 'silhouette', retained: 0, boundary: 1, sharpness: 2 }] },
+  ] as VolumeOptics['styles'];
+  const makeEstimates = (): ((key: string, more?: Partial<VolumeOptics>) => Promise<number>) => {
+    const choice = new BrickChoice(volume.finer, new ResidentDetail(volume.finer.volume, volume.finer));
+    return async (key, more) => {
+      const picture = { key, view, optics: { ...optics, ...more }, pixels: [400, 400] as const };
+      return atOnce(await choice.estimate(volume, picture))!.error.rms;
+    };
+  };
+
+  it('is seen by other rays each time, the same ones for each picture', async () => {
+    const estimate = makeEstimates();
+    const [first, second] = [await estimate('a'), await estimate('a')];
+    expect(first).to.be.above(1);
+    expect(second).not.to.equal(first);
+    expect(second / first).to.be.within(0.8, 1.25);
+    expect(await estimate('b')).to.equal(first);
+    expect(await estimate('a')).to.equal(first);
+  });
+
+  it('depends on styles, of which the first one loads its code', async () => {
+    const estimate = makeEstimates();
+    const [plain, styled] = [await estimate('a'), await estimate('b', { styles })];
+    expect(styled).to.be.above(0.1);
+    expect(Math.abs(styled / plain - 1)).to.be.above(0.1);
   });
 });
