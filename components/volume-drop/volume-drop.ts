@@ -100,9 +100,10 @@ export class VolumeDrop extends ReflectingElement {
   }
 
   readonly #onDrag = (event: DragEvent): void => {
-    if (!this.#view || !hasFiles(event.dataTransfer)) return;
+    if (!hasFiles(event.dataTransfer)) return;
     event.preventDefault(); // Else the browser leaves the page to show the file.
-    event.dataTransfer!.dropEffect = 'copy';
+    event.dataTransfer!.dropEffect = this.#view ? 'copy' : 'none';
+    if (!this.#view) return;
     this._isOver = true;
     clearTimeout(this.#forget);
     this.#forget = setTimeout(() => this.#leave(), forgetAfter);
@@ -115,9 +116,9 @@ export class VolumeDrop extends ReflectingElement {
 
   readonly #onDrop = (event: DragEvent): void => {
     this.#leave();
-    if (!this.#view || !hasFiles(event.dataTransfer) || event.defaultPrevented) return;
+    if (!hasFiles(event.dataTransfer) || event.defaultPrevented) return;
     event.preventDefault();
-    void this.#take(event.dataTransfer!);
+    if (this.#view) void this.#take(event.dataTransfer!);
   };
 
   readonly #onPaste = (event: ClipboardEvent): void => {

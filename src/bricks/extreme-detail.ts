@@ -178,7 +178,7 @@ function weigh(steps: readonly Step[], shown: number, lookOf: Look): Found {
     if (now) top = Math.max(top, mostOf(now));
     if (without) top = Math.max(top, mostOf(without));
   }
-  if (!(top > floor)) return { energy: 0, cover: Number(isSeen), cells: [] };
+  if (!(top > floor) || floor === -Infinity) return { energy: 0, cover: Number(isSeen), cells: [] };
   const edges = Array.from({ length: bins + 1 }, (_, k) => floor + (k / bins) * (top - floor));
   const chances = new Map<number, CellChance>();
   const all = new Float64Array(bins + 1);

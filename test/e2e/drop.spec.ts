@@ -149,6 +149,21 @@ test('shows a frame over the picture while files are dragged', async ({ page: ta
   await expect(frame).toBeHidden(); // Nothing is dragged any longer.
 });
 
+test('files that are dropped where no view is do not make the browser leave the page', async ({ page: target }) => {
+  await open(target, '<volume-drop for="nowhere"></volume-drop>');
+  await expect(target.locator('volume-drop')).toContainText('nowhere');
+  const taken = await target.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(['a'], 'a.nii'));
+    return ['dragover', 'drop'].map((type) => {
+      const event = new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true });
+      document.querySelector('volume-drop')!.dispatchEvent(event);
+      return event.defaultPrevented;
+    });
+  });
+  expect(taken).toEqual([true, true]);
+});
+
 test('a text that is pasted, and a link that is dragged, are none of its business', async ({ page: target }) => {
   await open(target, page);
   await ready(target);
