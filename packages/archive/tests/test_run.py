@@ -125,6 +125,18 @@ class Runs(Archive):
         self.assertGreater(killed, 1)
         self.expect_whole(59, 1)
 
+    def test_what_a_killed_worker_was_writing_is_gone_when_the_run_ends(self):
+        self.folder.mkdir()
+
+        def leave(client, job, *rest):
+            left = pathlib.Path(job.target.at()) / ".unfinished-left"
+            (left / "new").mkdir(parents=True)
+
+        with mock.patch("volume_view_archive.run_archive._run_all", side_effect=leave) as ran:
+            self.run_main()
+        self.assertEqual(ran.call_count, 1)
+        self.assertFalse([one.name for one in self.site.iterdir() if one.name.startswith(".unfinished")])
+
     def test_a_run_that_is_killed_goes_on(self):
         write_niftis(self.folder, 60)
         run = self.start()

@@ -73,6 +73,8 @@ def run_archive(client, job, ledger, plan, say, entries=None):
         _run_all(client, job, ledger, plan, say, waiting, totals)
     finally:
         totals.seconds = time.perf_counter() - began
+    # All tasks have come back, so nobody writes: what is left is of workers that were killed.
+    job.target.remove_unfinished()
     return totals, units
 
 
