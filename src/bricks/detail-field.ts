@@ -14,3 +14,8 @@ export interface DetailField {
   /** The level that a cell would have without its present brick; the next coarser one if undefined. */
   levelWithout?(cell: number): number;
 }
+
+/** The level that a cell would have without its brick, where that is asked; else its level. */
+export function levelWithoutBrick(field: DetailField, isAsked: boolean): (cell: number, level: number) => number {
+  return (cell, level) => (isAsked ? (field.levelWithout?.(cell) ?? Math.min(field.levels - 1, level + 1)) : level);
+}

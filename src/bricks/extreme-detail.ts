@@ -1,4 +1,5 @@
 // What coarse bricks do to rays that show their largest value, or their smallest: how likely it is that another value is the largest one, and what that would look like.
+import { levelWithoutBrick } from './detail-field.ts';
 import { maxSteps } from './detail-scene.ts';
 import type { DetailListener, DetailRay, DetailScene, ExtremeLook, RayEstimate } from './detail-scene.ts';
 import { boxesOf, meanOfHidden, spreadAt } from './hidden-means.ts';
@@ -94,8 +95,7 @@ function walker(
   isLossAsked: boolean,
 ): (ray: DetailRay) => Step[] {
   const { sign } = extreme as ExtremeLook;
-  const levelWithout = (cell: number, level: number): number =>
-    isLossAsked ? (field.levelWithout?.(cell) ?? Math.min(field.levels - 1, level + 1)) : level;
+  const levelWithout = levelWithoutBrick(field, isLossAsked);
   const spreadOf = (block: number, at: Parameters<typeof spreadAt>[2]): Spread | null => {
     const spread = spreadAt(hidden, block, at);
     return spread && signed(spread, sign, voxels / Math.max(1, hidden.correlation?.(at.level) ?? 1));
@@ -165,6 +165,7 @@ interface Found {
   readonly cells: readonly { readonly steps: readonly Step[]; readonly energy: number; readonly loss: number }[];
 }
 
+/** What is expected of a ray whose largest value is `shown`. */
 function weigh(steps: readonly Step[], shown: number, lookOf: Look): Found {
   const looksNow = lookOf(shown);
   const difference = (value: number): number => lookOf(value).reduce((sum, x, c) => sum + (x - looksNow[c]) ** 2, 0);
@@ -194,8 +195,8 @@ function weigh(steps: readonly Step[], shown: number, lookOf: Look): Found {
       [step.without, chance.without],
     ] as const)
       if (spread && mostOf(spread) > floor) edges.forEach((x, k) => (into[k] += chanceBelow(x, spread)));
-    if (step.now && mostOf(step.now) > floor) edges.forEach((x, k) => (all[k] += chanceBelow(x, step.now!)));
   }
+  for (const { now } of chances.values()) now.forEach((log, k) => (all[k] += log));
   const middles = Array.from({ length: bins }, (_, k) => (edges[k] + edges[k + 1]) / 2);
   const differences = middles.map(difference);
   const ofFloor = difference(floor);
@@ -238,6 +239,7 @@ function weigh(steps: readonly Step[], shown: number, lookOf: Look): Found {
   return { energy, cover, cells };
 }
 
+/** Says what finer levels of the cells bring, and what their bricks are worth. */
 function report({ cells }: Found, { hidden }: DetailScene, listener: DetailListener): void {
   for (const { steps, energy, loss } of cells) {
     const [{ cell, level, block, due }] = steps;

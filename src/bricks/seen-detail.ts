@@ -1,6 +1,7 @@
 // What coarse bricks do to what rays show of all values: emission and absorption, values on planes, light.
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { levelWithoutBrick } from './detail-field.ts';
 import { changeAlong, changeIn, hiddenChange, turnedLight } from './detail-light.ts';
 import { maxSteps } from './detail-scene.ts';
 import type { DetailListener, DetailRay, DetailScene, RayEstimate } from './detail-scene.ts';
@@ -87,8 +88,7 @@ export function estimateSeen(
   isLossAsked: boolean,
 ): RayEstimate {
   const { levels } = field;
-  const levelWithout = (cell: number, level: number): number =>
-    isLossAsked ? (field.levelWithout?.(cell) ?? Math.min(levels - 1, level + 1)) : level;
+  const levelWithout = levelWithoutBrick(field, isLossAsked);
   const [values, visible] = [new Float64Array(maxSteps), new Float64Array(maxSteps)];
   const [shown, spreads] = [new Float64Array(4 * maxSteps), new Float64Array(sumCount * maxSteps)];
   const [cellOf, blockOf] = [new Int32Array(maxSteps), new Int32Array(maxSteps)];

@@ -1,7 +1,6 @@
 // How the values of a volume in bricks look where that depends on how they change from place to place.
-import type { StepScale } from '../../bricks/span-sums.ts';
 import { sumEmission } from '../../bricks/span-sums.ts';
-import type { SpanSums } from '../../bricks/span-sums.ts';
+import type { SpanSums, StepScale } from '../../bricks/span-sums.ts';
 import type { SteepLooks } from '../../bricks/steep-looks.ts';
 import { loadPart } from '../../core/load-part.ts';
 import type * as shadingTwins from '../../optics/shading-twins.ts';

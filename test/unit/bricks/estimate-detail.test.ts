@@ -170,7 +170,16 @@ function sceneOf(
   };
   const atLevel = (level: number): Uint8Array => new Uint8Array(count).fill(level);
   const errorOf = (levelOf: Uint8Array): number => compareCovered(draw(levelOf), draw(atLevel(0)), 255).rms;
-  return { pyramid, estimate, errorOf, atLevel };
+  /** The coarsest level with the bricks that the estimate asks for, until it says that all is there. */
+  const loadAsked = (): Uint8Array => {
+    const levelOf = atLevel(2);
+    for (let turn = 0; turn < 4; turn++) {
+      const { gains } = estimate(levelOf);
+      for (let cell = 0; cell < levelOf.length; cell++) if (gains[cell * pyramid.levels.length] > 0) levelOf[cell] = 0;
+    }
+    return levelOf;
+  };
+  return { pyramid, estimate, errorOf, atLevel, loadAsked };
 }
 
 const random = randomNumbers(5);
@@ -324,20 +333,14 @@ describe('What coarse bricks hide in a picture', () => {
   };
   for (const [name, [value, projection, look, planes]] of Object.entries(extremes))
     it(`is estimated within a factor of two: ${name}`, () => {
-      const { estimate, errorOf, atLevel, pyramid } = sceneOf(value, look, { projection, planes });
+      const { estimate, errorOf, atLevel, loadAsked } = sceneOf(value, look, { projection, planes });
       for (const level of [1, 2]) {
         const [said, true_] = [estimate(atLevel(level)).rms, errorOf(atLevel(level))];
         expect(true_).to.be.above(5);
         expect(said / true_).to.be.within(1 / 2, 2, `level ${level}: ${said} was said, ${true_} is true`);
       }
       // What can't be the largest is not asked for.
-      const levelOf = atLevel(2);
-      for (let turn = 0; turn < 4; turn++) {
-        const { gains } = estimate(levelOf);
-        for (let cell = 0; cell < levelOf.length; cell++)
-          if (gains[cell * pyramid.levels.length] > 0) levelOf[cell] = 0;
-      }
-      expect(errorOf(levelOf)).to.be.below(3);
+      expect(errorOf(loadAsked())).to.be.below(3);
     });
 
   const onPlanes: Record<string, [string, PlaneSlice[]]> = {
@@ -348,19 +351,13 @@ describe('What coarse bricks hide in a picture', () => {
   };
   for (const [name, [look, planes]] of Object.entries(onPlanes))
     it(`is estimated within a factor of three on ${name}, and finer bricks there bring it to nothing`, () => {
-      const { estimate, errorOf, atLevel, pyramid } = sceneOf(grain, look, { planes });
+      const { estimate, errorOf, atLevel, loadAsked } = sceneOf(grain, look, { planes });
       for (const level of [1, 2]) {
         const [said, true_] = [estimate(atLevel(level)).rms, errorOf(atLevel(level))];
         expect(true_).to.be.above(10);
         expect(said / true_).to.be.within(1 / 2, 3, `level ${level}: ${said} was said, ${true_} is true`);
       }
-      // Bricks that the estimate asks for, until it says that all is there.
-      const levelOf = atLevel(2);
-      for (let turn = 0; turn < 4; turn++) {
-        const { gains } = estimate(levelOf);
-        for (let cell = 0; cell < levelOf.length; cell++)
-          if (gains[cell * pyramid.levels.length] > 0) levelOf[cell] = 0;
-      }
+      const levelOf = loadAsked();
       expect(estimate(levelOf).rms).to.equal(0);
       // Fog needs them everywhere.
       if (look.endsWith(' 0')) expect(levelOf.filter((level) => level === 0).length).to.be.at.most(32);

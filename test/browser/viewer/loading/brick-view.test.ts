@@ -58,6 +58,22 @@ function addView(fetch: typeof globalThis.fetch, attributes: Record<string, stri
   return view;
 }
 
+/** A final picture and what is said of it, of a view that leaves again. */
+async function drawOnce(
+  fetch: typeof globalThis.fetch,
+  attributes: Record<string, string>,
+  [width, height]: readonly [number, number],
+  inner = '',
+): Promise<{ shown: Float64Array; stats: RenderStats }> {
+  const view = addView(fetch, attributes);
+  view.style.cssText = `display: block; width: ${width}px; height: ${height}px`;
+  view.innerHTML = inner;
+  await view.whenRendered();
+  const result = { shown: await pixelsOf(view), stats: view.renderStats! };
+  view.remove();
+  return result;
+}
+
 /** RGBA, premultiplied: in a nearly clear pixel, colours that are not premultiplied differ by much where nobody sees it. */
 async function pixelsOf(view: VolumeView): Promise<Float64Array> {
   const bitmap = await createImageBitmap(await view.toBlob());
@@ -93,15 +109,8 @@ describe('a pyramid in bricks on a page', () => {
     const planes =
       '<volume-slice type="axial" value-window="0 255"></volume-slice><volume-slice type="coronal" at="7" value-window="0 255"></volume-slice>';
     const clear = { ...fromAfar, 'camera-orbit': '30deg 65deg 220', 'opacity-factor': '0' };
-    const draw = async (attributes: Record<string, string>): Promise<{ shown: Float64Array; stats: RenderStats }> => {
-      const view = addView(fetch, { ...clear, ...attributes });
-      view.style.cssText = 'display: block; width: 288px; height: 216px';
-      view.innerHTML = planes;
-      await view.whenRendered();
-      const result = { shown: await pixelsOf(view), stats: view.renderStats! };
-      view.remove();
-      return result;
-    };
+    const draw = (attributes: Record<string, string>): ReturnType<typeof drawOnce> =>
+      drawOnce(fetch, { ...clear, ...attributes }, [288, 216], planes);
     const { shown: whole } = await draw({});
     const [enough, few] = [
       await draw({ 'max-gpu-bytes': '2.05e6', 'max-error': '1' }),
@@ -137,15 +146,8 @@ describe('a pyramid in bricks on a page', () => {
     it(`is read for ${name}, and says what is missing`, async function () {
       this.timeout(90_000);
       const { fetch } = serve({ dimensions: [128, 128, 128], levels: 2 });
-      const draw = async (more: Record<string, string>): Promise<{ shown: Float64Array; stats: RenderStats }> => {
-        const view = addView(fetch, { ...fromAfar, shading: 'unlit', 'max-error': '1', ...attributes, ...more });
-        view.style.cssText = 'display: block; width: 160px; height: 120px';
-        view.innerHTML = inner;
-        await view.whenRendered();
-        const result = { shown: await pixelsOf(view), stats: view.renderStats! };
-        view.remove();
-        return result;
-      };
+      const draw = (more: Record<string, string>): ReturnType<typeof drawOnce> =>
+        drawOnce(fetch, { ...fromAfar, shading: 'unlit', 'max-error': '1', ...attributes, ...more }, [160, 120], inner);
       const { shown: whole } = await draw({});
       const [enough, few] = [await draw({ 'max-gpu-bytes': '2.05e6' }), await draw({ 'max-gpu-bytes': '0.6e6' })];
       const errorOf = ({ shown }: typeof few): number => compareCovered(shown, whole, 1, 3).rms;

@@ -12,6 +12,7 @@ import { BrickChoice } from '../../../../src/viewer/loading/brick-choice.ts';
 import type { ChosenBricks, PictureWish } from '../../../../src/viewer/loading/brick-choice.ts';
 import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
+import { greyOptics } from '../../../helpers/view-settings.ts';
 
 /** Bricks of 64 and 32 voxels over a volume of 32 voxels along each axis; none is there. */
 function makeChoice() {
@@ -100,17 +101,11 @@ describe('What bricks would bring to a picture', () => {
   const camera = orbitCamera({ theta: 0.4, phi: 1.3, radius: framingDistance(radius, 0.6, 1) }, center, 0.6);
   const view = { view: viewMatrix(camera), projection: projectionMatrix(0.6, 1, 1, 2) };
   const optics: VolumeOptics = {
+    ...greyOptics,
     transferFunction: [
       { value: 0, color: [0, 0, 1], opacity: 0 },
       { value: 255, color: [1, 0.8, 0.5], opacity: 0.2 },
     ],
-    window: [0, 255],
-    referenceLength: 1,
-    opacityFactor: 1,
-    lightFactor: 1,
-    projection: null,
-    shading: 'unlit',
-    surfaces: null,
   };
   const styles = [
     { weight: 1, styles: [{ kind: 'silhouette', retained: 0, boundary: 1, sharpness: 2 }] },
