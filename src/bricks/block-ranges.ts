@@ -17,51 +17,72 @@ export interface BlockRanges {
   readonly roughness: Float64Array;
 }
 
+/** Voxels along each edge of a block, with those next to it. */
+const span = blockSide + 2 * brickHalo;
+
 /** @param samples - of a brick with its halo, see `BrickSamples` */
 export function measureBlocks(samples: Samples): BlockRanges {
+  // First of the voxels of each block along x.
+  const [low, high, roughness] = [0, 1, 2].map(() => new Float32Array(blocksAlong * slotSide ** 2));
+  const rough = new Float32Array(slotSide);
+  for (let line = 0, to = 0; line < slotSide ** 2; line++) {
+    measureLine(samples, line, rough);
+    for (let block = 0; block < blocksAlong; block++, to++) {
+      let [least, most, roughest] = [Infinity, -Infinity, 0];
+      const first = blockSide * block;
+      for (let i = first, at = slotSide * line + first; i < first + span; i++, at++) {
+        const value = samples[at];
+        // Comparisons with NaN are false: places without data change nothing.
+        if (value < least) least = value;
+        if (value > most) most = value;
+        if (rough[i] > roughest) roughest = rough[i];
+      }
+      [low[to], high[to], roughness[to]] = [least, most, roughest];
+    }
+  }
   return {
-    low: foldBlocks(samples, smaller, Infinity),
-    high: foldBlocks(samples, larger, -Infinity),
-    roughness: foldBlocks(secondDifferences(samples), larger, 0),
+    low: foldLines(low, -1, Infinity),
+    high: foldLines(high, 1, -Infinity),
+    roughness: foldLines(roughness, 1, 0),
   };
 }
 
-// Comparisons with NaN are false: places without data change nothing.
-const smaller = (least: number, value: number): number => (value < least ? value : least);
-const larger = (most: number, value: number): number => (value > most ? value : most);
-
-/** Of each voxel, the largest along any axis along which it has both neighbours; 0 where one of them has no data. */
-function secondDifferences(samples: Samples): Float32Array {
-  const found = new Float32Array(samples.length);
-  const [row, slice] = [slotSide, slotSide ** 2];
-  const last = slotSide - 1;
-  for (let k = 0, at = 0; k < slotSide; k++)
-    for (let j = 0; j < slotSide; j++)
-      for (let i = 0; i < slotSide; i++, at++) {
-        const twice = 2 * samples[at];
-        let most = 0;
-        if (i > 0 && i < last) most = larger(most, Math.abs(samples[at - 1] - twice + samples[at + 1]));
-        if (j > 0 && j < last) most = larger(most, Math.abs(samples[at - row] - twice + samples[at + row]));
-        if (k > 0 && k < last) most = larger(most, Math.abs(samples[at - slice] - twice + samples[at + slice]));
-        found[at] = most;
-      }
-  return found;
+/** The second differences of the voxels of a line along x: the largest along any axis along which a voxel has both neighbours; 0 where one of them has no data. */
+function measureLine(samples: Samples, line: number, into: Float32Array): void {
+  const [row, slice, last] = [slotSide, slotSide ** 2, slotSide - 1];
+  const [j, k] = [line % slotSide, Math.floor(line / slotSide)];
+  const [isInY, isInZ] = [j > 0 && j < last, k > 0 && k < last];
+  for (let i = 0, at = row * line; i < slotSide; i++, at++) {
+    const twice = 2 * samples[at];
+    const alongX = i > 0 && i < last ? Math.abs(samples[at - 1] - twice + samples[at + 1]) : 0;
+    const alongY = isInY ? Math.abs(samples[at - row] - twice + samples[at + row]) : 0;
+    const alongZ = isInZ ? Math.abs(samples[at - slice] - twice + samples[at + slice]) : 0;
+    let most = 0;
+    if (alongX > most) most = alongX;
+    if (alongY > most) most = alongY;
+    if (alongZ > most) most = alongZ;
+    into[i] = most;
+  }
 }
 
-/** Folds the voxels of each block and those next to it: along x, then y, then z. */
-function foldBlocks(values: ArrayLike<number>, fold: (a: number, b: number) => number, none: number): Float64Array {
-  let lines = values;
-  for (let axis = 0, length = slotSide ** 2; axis < 3; axis++, length = (length / slotSide) * blocksAlong) {
-    // The folded axis becomes the slowest one: after three turns the order is that of the voxels again.
-    const folded = new Float64Array(length * blocksAlong);
-    for (let line = 0; line < length; line++)
-      for (let block = 0; block < blocksAlong; block++) {
-        let all = none;
-        const first = slotSide * line + blockSide * block;
-        for (let at = first; at < first + blockSide + 2 * brickHalo; at++) all = fold(all, lines[at]);
-        folded[line + length * block] = all;
-      }
-    lines = folded;
+/** Of each block, the largest (sign 1) or smallest (-1) of what the lines along x have in it. */
+function foldLines(lines: Float32Array, sign: 1 | -1, none: number): Float64Array {
+  const found = new Float64Array(blocksAlong ** 3);
+  for (let block = 0; block < found.length; block++) {
+    const [x, y, z] = [
+      block % blocksAlong,
+      Math.floor(block / blocksAlong) % blocksAlong,
+      Math.floor(block / blocksAlong ** 2),
+    ];
+    let all = none;
+    for (let k = blockSide * z; k < blockSide * z + span; k++)
+      for (
+        let j = blockSide * y, at = x + blocksAlong * (j + slotSide * k);
+        j < blockSide * y + span;
+        j++, at += blocksAlong
+      )
+        if (sign * lines[at] > sign * all) all = lines[at];
+    found[block] = all;
   }
-  return lines as Float64Array;
+  return found;
 }

@@ -10,8 +10,8 @@ export type BrickLevel = FinerLevel;
 /** What was read of a brick. */
 export interface BrickSamples {
   /**
-   * (side + 2)³ stored values, i fastest, of the store's type: the brick with one voxel more at each side. Voxels outside of the level have the value of
-   * the nearest one inside. NaN (float only) means no data. The receiver owns them.
+   * (side + 2)³ stored values, i fastest, of the store's type: the brick with one voxel more at each side (its halo). Voxels outside of the level, and the whole halo of
+   * a brick that is read alone, have the value of the nearest one inside. NaN (float only) means no data. The receiver owns them.
    */
   readonly samples: Samples;
   /** Smallest and largest stored value of all of them; low > high where none has data. */

@@ -24,8 +24,9 @@ import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
+import { fillHalo, waysToNeighbours, wayWithin } from './shared-halo.ts';
 
-/** A brick that rays can read, and the slot that it has. */
+/** A brick that rays can read, and the slot that it has. It becomes another object when its halo changes. */
 export interface ResidentBrick extends MeasuredBrick, Omit<BrickSamples, 'hasNoData'> {
   readonly slot: number;
 }
@@ -36,11 +37,14 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
 
 /**
  * Bricks of finer levels over a volume, as rays in float64 read them. Each cell (brick of the finest level) shows the finest brick that is
- * there. Twin: shaders/chunks/field/bricks-3d.glsl
+ * there. Bricks of a level that are next to each other have each other's voxels in their halos; where the neighbour is not there, the outermost voxels are repeated: so a
+ * brick needs no voxels but its own. Twin: shaders/chunks/field/bricks-3d.glsl
  */
 export class ResidentBricks implements FinerVoxels {
   /** By cell: 1 + the slot of the brick that is shown there, or 0 where it is the volume itself. */
   readonly pages: CellNumbers;
+  /** Counts bricks that come and go. */
+  changes = 0;
   /** Counts changes of `macrocells`, as far as `current` has seen them. */
   #cellChanges = 0;
   /** Whether the present view gets more of them. */
@@ -152,15 +156,18 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bySlot[slot];
   }
 
+  /** Takes over the samples; their halo is replaced. */
   add(place: Brick, values: Omit<BrickSamples, 'hasNoData'>): ResidentBrick {
     const known = this.get(place);
     if (known) return known;
     const slot = this.#free.pop() ?? this.#bySlot.length;
     const { level, at } = place;
-    const brick: ResidentBrick = { level, at, ...values, slot };
+    const brick: ResidentBrick = { level, at, ...values, slot, blocks: undefined };
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
+    this.#fillHalo(brick);
+    this.#changeNeighbours(brick);
     const isCoarser = (page: number): boolean => page === 0 || this.#bySlot[page - 1]!.level > level;
     this.#change(brick, (before) => (isCoarser(before) ? slot + 1 : before));
     this.#widen(brick);
@@ -175,7 +182,47 @@ export class ResidentBricks implements FinerVoxels {
     this.#bySlot[slot] = undefined;
     this.#free.push(slot);
     this.#counts[level]--;
+    this.#changeNeighbours(brick);
     this.#change(brick, (before, first, last) => (before === slot + 1 ? this.#coarser(first, last, level) : before));
+  }
+
+  /** Whether the halo of a brick that is there has all voxels of its level. */
+  isComplete({ level, at }: Brick): boolean {
+    const { bricks } = this.layout.levels[level];
+    return waysToNeighbours.every((way) => {
+      const step = wayWithin({ at, bricks }, way);
+      return this.#neighbour({ level, at }, step) !== undefined;
+    });
+  }
+
+  #neighbour({ level, at }: Brick, step: Vector3): ResidentBrick | undefined {
+    return this.get({ level, at: at.map((n, axis) => n + step[axis]) as unknown as Vector3 });
+  }
+
+  /** @param only - what lies on the way to this neighbour; all if undefined */
+  #fillHalo({ level, at, samples }: ResidentBrick, only?: Vector3): void {
+    const { bricks } = this.layout.levels[level];
+    for (const way of waysToNeighbours) {
+      const step = wayWithin({ at, bricks }, way);
+      if (only && step.some((n, axis) => n !== only[axis])) continue;
+      const neighbour = this.#neighbour({ level, at }, step);
+      if (neighbour) fillHalo(samples, way, neighbour.samples, step);
+      else fillHalo(samples, way, samples, [0, 0, 0]);
+    }
+  }
+
+  /** The bricks next to one that has come or gone have another halo. */
+  #changeNeighbours(brick: ResidentBrick): void {
+    this.changes++;
+    for (const way of waysToNeighbours) {
+      const neighbour = this.#neighbour(brick, way);
+      if (!neighbour) continue;
+      this.#fillHalo(neighbour, way.map((n) => 0 - n) as unknown as Vector3);
+      const changed: ResidentBrick = { ...neighbour, blocks: undefined };
+      this.#bricks.set(keyOfBrick(changed), changed);
+      this.#bySlot[changed.slot] = changed;
+      this.#cells.change(...cellsOfBrick(this.layout, changed.level, changed.at));
+    }
   }
 
   /** From now on there are at most so many slots, and bricks: the last ones that came go, and those in other slots get another one. */

@@ -26,6 +26,9 @@ const mostProbes = 64;
 /** Voxels from one place that is measured to the next, along each axis. */
 const stride = 3;
 
+/** Between the middles of the outermost voxels, a brick alone says what is there. */
+const [firstMiddle, lastMiddle] = [brickHalo + 0.5, brickHalo + brickSide - 0.5];
+
 /** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
 const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
 
@@ -150,7 +153,9 @@ export class ResidentDetail implements HiddenValues, DetailField {
       for (let j = 1; j <= brickSide; j += stride)
         for (let i = 1; i <= brickSide; i += stride, number++) {
           // Rays sample between voxels, too, where values differ less than at these.
-          const inSlot = [i, j, k].map((n, axis) => n + ((number * between[axis]) % 1)) as unknown as Vector3;
+          const inSlot = [i, j, k].map((n, axis) =>
+            Math.max(firstMiddle, n + ((number * between[axis]) % 1)),
+          ) as unknown as Vector3;
           const value = valueAt(inSlot);
           const place = placeOf(inSlot);
           if (Number.isNaN(value) || !place) continue;
@@ -161,7 +166,9 @@ export class ResidentDetail implements HiddenValues, DetailField {
           const shown = shownAt(place);
           if (Number.isNaN(shown)) continue;
           count++;
-          const next = inSlot.map((n, axis) => (axis === number % 3 ? n + 1 : n)) as unknown as Vector3;
+          const next = inSlot.map((n, axis) =>
+            axis !== number % 3 ? n : n + 1 <= lastMiddle ? n + 1 : n - 1,
+          ) as unknown as Vector3;
           const nextPlace = placeOf(next);
           const there = nextPlace ? valueAt(next) - shownAt(nextPlace) : NaN;
           if (!Number.isNaN(there)) {

@@ -16,7 +16,7 @@ export interface BricksRequest extends Omit<LoadRequest, 'limits' | 'finer'> {
 
 /** To the worker. */
 export type BricksOrder =
-  | { readonly id: number; readonly brick: Brick }
+  | { readonly id: number; readonly brick: Brick; readonly isAlone?: boolean }
   | { readonly id: number; readonly residuals: true }
   /** The order of this number is given up. */
   | { readonly id: number; readonly stop: true }

@@ -44,7 +44,7 @@ export function connectBricks(port: MessagePort, signal: AbortSignal, onEnd: () 
     onEnd();
   };
   const stop = (): void => end(signal.reason as Error);
-  const order = <T>(own: AbortSignal, what: { brick: Brick } | { residuals: true }): Promise<T> =>
+  const order = <T>(own: AbortSignal, what: { brick: Brick; isAlone?: boolean } | { residuals: true }): Promise<T> =>
     new Promise<T>((resolve, reject) => {
       own.throwIfAborted();
       if (over) throw over.reason ?? closedError();
@@ -69,7 +69,7 @@ export function connectBricks(port: MessagePort, signal: AbortSignal, onEnd: () 
       if (!data.opened) return end(null);
       return settle.resolve({
         ...data.opened,
-        read: (brick, own) => order(own, { brick }),
+        read: (brick, own, isAlone) => order(own, { brick, isAlone }),
         residuals: (own) => order(own, { residuals: true }),
         close: () => end(closedError()),
       });

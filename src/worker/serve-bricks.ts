@@ -71,7 +71,7 @@ export async function serveBricks(
     try {
       if ('residuals' in order) send({ id, residuals: await store!.residuals(mine.signal) });
       else {
-        const brick = await store!.read(order.brick, mine.signal);
+        const brick = await store!.read(order.brick, mine.signal, order.isAlone);
         send({ id, brick }, [brick.samples.buffer]);
       }
     } catch (error) {

@@ -61,11 +61,24 @@ export function allBricks({ levels }: BrickStore): Brick[] {
   );
 }
 
-/** Checks a brick, with its halo, against the formula. */
-export async function expectFormula(store: BrickStore, formula: Formula, brick: Brick): Promise<void> {
-  const { samples, low, high } = await store.read(brick, noSignal());
+/**
+ * Checks a brick, with its halo, against the formula.
+ * @param isAlone - its halo repeats its outermost voxels
+ */
+export async function expectFormula(
+  store: BrickStore,
+  formula: Formula,
+  brick: Brick,
+  isAlone?: boolean,
+): Promise<void> {
+  const { samples, low, high } = await store.read(brick, noSignal(), isAlone);
   const first = brick.at.map((n) => 32 * n - 1);
-  const expected = formula.boxOf(brick.level, first, [34, 34, 34]);
+  const all = formula.boxOf(brick.level, first, [34, 34, 34]);
+  const inside = (n: number): number => (isAlone ? Math.min(32, Math.max(1, n)) : n);
+  const expected = all.map((_, n) => {
+    const [i, j, k] = [n % 34, Math.floor(n / 34) % 34, Math.floor(n / 34 ** 2)].map(inside);
+    return all[i + 34 * (j + 34 * k)];
+  });
   const wrong = samples.findIndex((value, n) => value !== expected[n]);
   if (samples.length !== expected.length || wrong >= 0)
     expect({ brick, wrong, got: samples[wrong], length: samples.length }).to.equal(expected[wrong]);

@@ -18,11 +18,12 @@ export interface BrickStore {
   readonly levels: readonly BrickLevel[];
   /**
    * Reads a brick. Failed requests are repeated before this fails.
+   * @param isAlone - without the voxels of its neighbours: these may be in other chunks; false if undefined
    * @param signal - gives it up: requests that no other brick waits for end in the network
    * @throws {VolumeViewError} `source/…`, `format/…`; the signal's reason; an `AbortError` once the store is closed; {RangeError} for a brick that
    * does not exist
    */
-  read(brick: Brick, signal: AbortSignal): Promise<BrickSamples>;
+  read(brick: Brick, signal: AbortSignal, isAlone?: boolean): Promise<BrickSamples>;
   /**
    * What the pyramid's writer has said of its levels, in stored values of this store, with the levels of this store. Null where it has said nothing. Nothing is
    * kept: call it once.

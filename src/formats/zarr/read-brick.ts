@@ -14,6 +14,8 @@ import { bitsOf } from './read-box.ts';
 
 interface BrickReading {
   readonly brick: Brick;
+  /** See `BrickStore.read`. */
+  readonly isAlone: boolean;
   /** The index along each axis that is none of space. */
   readonly at: readonly number[];
   readonly space: ArrayBox['axes'];
@@ -21,14 +23,15 @@ interface BrickReading {
   readonly signal: AbortSignal;
 }
 
-/** Reads a brick with one voxel more at each side, as far as the level goes, and repeats its ends. */
+/** Reads a brick with one voxel more at each side, as far as the level goes, or alone, and repeats its ends. */
 export async function readBrick(
   source: ChunkSource,
   { level: { array, dimensions: ends } }: ZarrBrickLevel,
-  { brick, at, space, numbers, signal }: BrickReading,
+  { brick, isAlone, at, space, numbers, signal }: BrickReading,
 ): Promise<BrickSamples> {
-  const first = brick.at.map((n) => Math.max(0, n * brickSide - 1)) as unknown as Vector3;
-  const dimensions = brick.at.map((n, axis) => Math.min(ends[axis], (n + 1) * brickSide + 1) - first[axis]);
+  const halo = isAlone ? 0 : 1;
+  const first = brick.at.map((n) => Math.max(0, n * brickSide - halo)) as unknown as Vector3;
+  const dimensions = brick.at.map((n, axis) => Math.min(ends[axis], (n + 1) * brickSide + halo) - first[axis]);
   const box: ArrayBox = { axes: space, first, dimensions: dimensions as unknown as Vector3, at };
   const places = listChunks(array, box);
   const chunks = await source.read(array, places, signal);

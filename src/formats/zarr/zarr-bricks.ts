@@ -84,11 +84,12 @@ export async function openZarrBricks(
     slope: numbers.slope,
     intercept: numbers.intercept,
     levels: levels.map(({ brick }) => brick),
-    read: (brick, own) => {
+    read: (brick, own, isAlone = false) => {
       checkBrick(levels, brick);
       const read = async (either: AbortSignal): Promise<BrickSamples> => {
         either.throwIfAborted();
-        return readBrick(source, levels[brick.level], { brick, at, space: axes.space, numbers, signal: either });
+        const reading = { brick, isAlone, at, space: axes.space, numbers, signal: either };
+        return readBrick(source, levels[brick.level], reading);
       };
       // What is given up makes room for others at once: a page that has gone never answers.
       return untilClosed(own, (either) => queue.run(() => untilAborted(read(either), either)));

@@ -117,7 +117,7 @@ export class BrickTextures {
 
   #update(): void {
     const { bricks } = this;
-    if (this.#changes === bricks.pages.changes) return;
+    if (this.#changes === bricks.changes) return;
     const layers = this.#layersOf(bricks.slots);
     const most = this.#layersOf(bricks.capacity);
     if (layers > this.#layers) this.#resize(Math.max(layers, Math.min(growth * this.#layers, most)));
@@ -126,7 +126,7 @@ export class BrickTextures {
       if (brick && brick !== this.#written[slot]) this.#write(brick);
     }
     this.#writeTable();
-    this.#changes = bricks.pages.changes;
+    this.#changes = bricks.changes;
   }
 
   get #bytesOfTable(): number {

@@ -51,12 +51,12 @@ export class BrickSource {
     else opened.resolve({ store, first: first!, life });
   }
 
-  /** A brick, as soon as the store is open. @throws as `BrickStore.read` */
-  async read({ level, at }: Brick, signal: AbortSignal): Promise<BrickSamples> {
+  /** A brick, as soon as the store is open. @param isAlone, @throws - as `BrickStore.read` */
+  async read({ level, at }: Brick, signal: AbortSignal, isAlone: boolean): Promise<BrickSamples> {
     for (;;) {
       const { store, first, life } = await untilAborted(this.#opened.promise, signal);
       try {
-        return await store.read({ level: level + first, at }, signal);
+        return await store.read({ level: level + first, at }, signal, isAlone);
       } catch (error) {
         if (signal.aborted || !life.aborted) throw error;
       }

@@ -62,7 +62,8 @@ export class BrickTiles implements PlaneVoxels {
 
   /** The voxels of a brick, if they are there for a plane or for the GPU. */
   samplesOf(brick: Brick): Samples | undefined {
-    return this.#kept.get(keyOfBrick(brick)) ?? this.parts.bricks.get(brick)?.samples;
+    const { bricks } = this.parts;
+    return this.#kept.get(keyOfBrick(brick)) ?? (bricks.isComplete(brick) ? bricks.get(brick)?.samples : undefined);
   }
 
   open(owner: object, plane: ViewedPlane, changed: () => void): PlaneField | null {

@@ -95,7 +95,8 @@ export class BrickView implements ViewPart, KeptBricks {
       volume: pinned,
       levels,
       bricks: this.bricks,
-      read: (brick, signal) => this.#source.read(brick, signal),
+      // Bricks that lie next to a plane may not be there.
+      read: (brick, signal) => this.#source.read(brick, signal, false),
       failed: (error) => this.#reportOnce(error),
     });
     this.bricks.planes = this.#tiles;
@@ -278,7 +279,7 @@ export class BrickView implements ViewPart, KeptBricks {
         leave: (changed) => pageRoom.leave(changed),
       },
       read: async (brick, signal) => {
-        const samples = await this.#source.read(brick, signal);
+        const samples = await this.#source.read(brick, signal, true);
         this.#detail.measure(brick, samples);
         return samples;
       },
@@ -354,7 +355,7 @@ export class BrickView implements ViewPart, KeptBricks {
   /** Looks at a brick, without a place for it on the GPU. */
   async #probe(brick: Brick, life: AbortSignal): Promise<void> {
     try {
-      const samples = await this.#source.read(brick, life);
+      const samples = await this.#source.read(brick, life, true);
       this.#detail.measure(brick, samples, true);
     } catch (error) {
       if (life.aborted) return;

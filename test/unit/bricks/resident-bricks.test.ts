@@ -10,11 +10,12 @@ import {
   slotsWithin,
 } from '../../../src/bricks/brick-layout.ts';
 import { chooseGroupSide } from '../../../src/bricks/cell-numbers.ts';
+import { brickSide } from '../../../src/bricks/brick-data.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
-import type { Brick } from '../../../src/bricks/pyramid.ts';
+import type { Brick, Pyramid } from '../../../src/bricks/pyramid.ts';
 import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
-import { residentSampler } from '../../../src/bricks/resident-field.ts';
+import type { ResidentBricks } from '../../../src/bricks/resident-bricks.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
 import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
@@ -27,6 +28,40 @@ const dimensions: Vector3 = [70, 96, 40];
 const random = randomNumbers(3);
 const places = Array.from({ length: 2000 }, (): Vector3 => [random(), random(), random()]);
 
+/** Whether a voxel of a brick with its halo is in that. */
+const isInHalo = (n: number): boolean =>
+  [n % slotSide, Math.floor(n / slotSide) % slotSide, Math.floor(n / slotSide ** 2)].some(
+    (m) => m === 0 || m === slotSide - 1,
+  );
+
+/** What a place shows: the voxels of its level, as far as their bricks are there; else its brick's own outermost ones are repeated. */
+function expectedAt(
+  { levels }: Pyramid,
+  finer: ResidentBricks,
+  level: number,
+  place: Vector3, // In voxels of the level, whole numbers at the faces.
+): number {
+  const { samples, dimensions } = levels[level];
+  const inside = (n: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, n));
+  const own = place.map((x, axis) => Math.floor(inside(x, axis) / brickSide)) as unknown as Vector3;
+  const isPinned = level === levels.length - 1;
+  /** A corner of 2 x 2 x 2 voxels for `interpolate`. */
+  const first = place.map((x, axis) => Math.floor(Math.min(dimensions[axis] - 0.5, Math.max(0.5, x)) - 0.5));
+  const corners = Float32Array.from({ length: 8 }, (_, n) => {
+    const voxel = first.map((m, axis) => inside(m + ((n >> axis) & 1), axis));
+    const at = voxel.map((m) => Math.floor(m / brickSide)) as unknown as Vector3;
+    const [x, y, z] =
+      isPinned || finer.get({ level, at })
+        ? voxel
+        : voxel.map((m, axis) => Math.min(brickSide * own[axis] + brickSide - 1, Math.max(brickSide * own[axis], m)));
+    return samples[x + dimensions[0] * (y + dimensions[1] * z)];
+  });
+  const within = place.map(
+    (x, axis) => (Math.min(dimensions[axis] - 0.5, Math.max(0.5, x)) - first[axis]) / 2,
+  ) as unknown as Vector3;
+  return interpolate(corners, [2, 2, 2], within);
+}
+
 describe('bricks that are there', () => {
   for (const kind of ['uint8', 'uint16', 'float32'] as const)
     it(`give the values of the levels that their cells have: ${kind}`, () => {
@@ -37,17 +72,48 @@ describe('bricks that are there', () => {
       expect([0, 1, 2, 3].filter((level) => levelOf.includes(level))).to.deep.equal([0, 1, 2]);
       // The volume's own unit cube reaches as far as its last voxel; that of the finest level ends before.
       const ends = dimensions.map((n, axis) => (4 * volume.grid.dimensions[axis]) / n);
-      const expected = residentSampler(pyramid, levelOf);
       const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions, slope: 1, intercept: 0 });
       for (const place of places) {
-        const [x, y, z] = place.map((n, axis) => n * ends[axis]);
-        if (Math.max(x, y, z) > 1) continue;
+        if (place.some((n, axis) => n * ends[axis] > 1)) continue;
+        const level = finer.levelOf(finer.cellAt(place));
+        const voxels = place.map((n, axis) => (n * ends[axis] * dimensions[axis]) / 2 ** level);
         const { value } = field.sampleAt(place);
-        const other = expected(x, y, z);
+        const other = expectedAt(pyramid, finer, level, voxels as unknown as Vector3);
         if (Number.isNaN(other)) expect(Number.isNaN(value)).to.equal(true);
         else expect(value).to.be.closeTo(other, 1e-3 * (1 + Math.abs(other)));
       }
     });
+
+  it('give the same values in whatever order they came and went, and whatever halo they came with', () => {
+    const whole = syntheticVolume({ dimensions, field: () => random() });
+    const isThere = ({ level, at: [i, j, k] }: Brick): boolean => (level === 0 ? (i + j + k) % 2 === 0 : i === 0);
+    const { pyramid, volume } = cutIntoBricks(whole, 3, isThere);
+    const { finer } = cutIntoBricks(whole, 3).volume;
+    const all = [...finer.bricks];
+    for (const brick of all) finer.remove(brick);
+    for (const brick of all.reverse()) {
+      const read = readBrick(pyramid, brick);
+      read.samples.forEach((_, n) => (read.samples[n] = isInHalo(n) ? 255 : read.samples[n]));
+      finer.add(brick, read);
+    }
+    for (const brick of all) if (!isThere(brick)) finer.remove(brick);
+    const complete = all.filter((brick) => finer.get(brick) && finer.isComplete(brick));
+    expect([finer.count, complete.length]).to.deep.equal([volume.finer.count, 0]);
+    for (const place of places) expect(finer.storedAt(place)).to.equal(volume.finer.storedAt(place));
+    const cells = finer.current(volume).macrocells;
+    const expected = volume.finer.current(volume).macrocells;
+    for (const what of ['low', 'high', 'roughness'] as const)
+      expect([...cells[what]], what).to.deep.equal([...expected[what]]);
+  });
+
+  it('are complete where all of their neighbours are there', () => {
+    const { finer } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2).volume;
+    // Of 3 x 3 x 2 bricks.
+    expect([0, 1].map((i) => finer.isComplete({ level: 0, at: [i, 1, 0] }))).to.deep.equal([true, false]);
+    finer.remove({ level: 0, at: [1, 2, 1] });
+    expect(finer.isComplete({ level: 0, at: [0, 1, 0] }), 'over a corner').to.equal(false);
+    expect(finer.isComplete({ level: 0, at: [0, 0, 0] })).to.equal(true);
+  });
 
   it('go, and the next coarser ones show again; slots are used again', () => {
     const whole = syntheticVolume({ dimensions });

@@ -78,7 +78,8 @@ async function expectWhole(store: BrickStore | null): Promise<void> {
     [1, 1, 1],
     [1, 1, 1],
   ]);
-  for (const brick of allBricks(store!)) await expectFormula(store!, formula, brick);
+  for (const brick of allBricks(store!))
+    for (const isAlone of [false, true]) await expectFormula(store!, formula, brick, isAlone);
 }
 
 describe('a pyramid that a worker reads in bricks', () => {

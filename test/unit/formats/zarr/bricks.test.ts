@@ -47,6 +47,7 @@ describe('bricks of a pyramid', () => {
       const bricks = allBricks(store);
       expect(bricks.length).to.equal(3 * 3 * 2 + 2 * 2 * 1 + 1 + 1);
       await Promise.all(bricks.map((brick) => expectFormula(store, formula, brick)));
+      await Promise.all(bricks.map((brick) => expectFormula(store, formula, brick, true)));
     });
 
   it('of the formula are means: level 1 is that of eight voxels of level 0, except its rounding', () => {
@@ -186,6 +187,21 @@ describe('bricks of a pyramid', () => {
     const chunks = asked.filter((path) => path.includes('/c/'));
     expect(chunks.length).to.equal(3 * 3 * 2 + 2 * 2 * 1 + 1 + 1);
     expect(new Set(chunks).size).to.equal(chunks.length);
+  });
+
+  it('need only the chunks in which they lie where they are read alone', async () => {
+    const files = formulaTree(formulaFiles(formulaOf({ dimensions: [160, 160, 160], levels: 1 })));
+    const countChunks = async (isAlone: boolean): Promise<number> => {
+      let count = 0;
+      const read: typeof files.read = (path, ...rest) => {
+        if (path.includes('/c/')) count++;
+        return files.read(path, ...rest);
+      };
+      const store = (await openBricksOf({ ...files, read }))!;
+      await store.read({ level: 0, at: [2, 2, 2] }, noSignal(), isAlone);
+      return count;
+    };
+    expect([await countChunks(true), await countChunks(false)]).to.deep.equal([1, 27]);
   });
 
   it('that lie are refused: a level of another shape, and a chunk that is cut', async () => {
