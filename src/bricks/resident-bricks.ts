@@ -1,4 +1,5 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
+import { meetVoxelPlanes } from '../optics/rays/voxel-planes.ts';
 import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
@@ -24,7 +25,16 @@ import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
-import { fillHalo, waysToNeighbours, wayWithin } from './shared-halo.ts';
+import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
+
+/** So near to a face between bricks, in shares of a line, values are those of the brick on this side. */
+const faceSlack = 1e-9;
+
+const pointAt = (from: Vector3, to: Vector3, share: number): Vector3 =>
+  from.map((x, axis) => x + share * (to[axis] - x)) as unknown as Vector3;
+
+/** Cells along each axis, without the last ones. */
+type CellBox = ReturnType<typeof cellsOfBrick>;
 
 /** A brick that rays can read, and the slot that it has. It becomes another object when its halo changes. */
 export interface ResidentBrick extends MeasuredBrick, Omit<BrickSamples, 'hasNoData'> {
@@ -35,10 +45,21 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
   return `${level}/${i}/${j}/${k}`;
 }
 
+/** Where what is shown has changed, for bricks of finer levels than this one. */
+interface ChangedBox {
+  readonly box: CellBox;
+  readonly level: number;
+}
+
+/** Whether two boxes have a face, an edge or a corner in common, or more. */
+function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean {
+  for (let axis = 0; axis < 3; axis++) if (low[axis] > otherHigh[axis] || otherLow[axis] > high[axis]) return false;
+  return true;
+}
+
 /**
  * Bricks of finer levels over a volume, as rays in float64 read them. Each cell (brick of the finest level) shows the finest brick that is
- * there. Bricks of a level that are next to each other have each other's voxels in their halos; where the neighbour is not there, the outermost voxels are repeated: so a
- * brick needs no voxels but its own. Twin: shaders/chunks/field/bricks-3d.glsl
+ * there. Bricks need no voxels but their own: `current` fills their halos. Twin: shaders/chunks/field/bricks-3d.glsl
  */
 export class ResidentBricks implements FinerVoxels {
   /** By cell: 1 + the slot of the brick that is shown there, or 0 where it is the volume itself. */
@@ -66,6 +87,8 @@ export class ResidentBricks implements FinerVoxels {
   readonly #bySlot: (ResidentBrick | undefined)[] = [];
   readonly #free: number[] = [];
   readonly #counts: number[];
+  /** Where bricks have come or gone since halos were filled. */
+  readonly #changed: ChangedBox[] = [];
   readonly #cells: BrickCells;
   /** Smallest and largest stored value of all bricks that came: fewer of them when they go would change the tables of colours. */
   #low = Infinity;
@@ -106,6 +129,7 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   current<V extends BrickedValues>(volume: V): V {
+    this.#settleHalos();
     const shown: ShownBricks = (first, last, meet) =>
       this.pages.visit(first, last, (page) => meet(this.#bySlot[page - 1]));
     if (this.#cells.update(shown, this.#level)) this.#cellChanges++;
@@ -156,7 +180,7 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bySlot[slot];
   }
 
-  /** Takes over the samples; their halo is replaced. */
+  /** Takes over the samples; `current` replaces their halo. */
   add(place: Brick, values: Omit<BrickSamples, 'hasNoData'>): ResidentBrick {
     const known = this.get(place);
     if (known) return known;
@@ -166,8 +190,6 @@ export class ResidentBricks implements FinerVoxels {
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
-    this.#fillHalo(brick);
-    this.#changeNeighbours(brick);
     const isCoarser = (page: number): boolean => page === 0 || this.#bySlot[page - 1]!.level > level;
     this.#change(brick, (before) => (isCoarser(before) ? slot + 1 : before));
     this.#widen(brick);
@@ -182,46 +204,40 @@ export class ResidentBricks implements FinerVoxels {
     this.#bySlot[slot] = undefined;
     this.#free.push(slot);
     this.#counts[level]--;
-    this.#changeNeighbours(brick);
     this.#change(brick, (before, first, last) => (before === slot + 1 ? this.#coarser(first, last, level) : before));
   }
 
-  /** Whether the halo of a brick that is there has all voxels of its level. */
-  isComplete({ level, at }: Brick): boolean {
-    const { bricks } = this.layout.levels[level];
-    return waysToNeighbours.every((way) => {
-      const step = wayWithin({ at, bricks }, way);
-      return this.#neighbour({ level, at }, step) !== undefined;
-    });
+  /** Whether the halo of a brick that is there has all voxels of its level, whatever has come or gone since. */
+  isComplete(brick: Brick): boolean {
+    return (
+      this.#changed.length === 0 &&
+      waysToNeighbours.every((way) => this.get(neighbourOf(this.layout, brick, way)) !== undefined)
+    );
   }
 
-  #neighbour({ level, at }: Brick, step: Vector3): ResidentBrick | undefined {
-    return this.get({ level, at: at.map((n, axis) => n + step[axis]) as unknown as Vector3 });
-  }
-
-  /** @param only - what lies on the way to this neighbour; all if undefined */
-  #fillHalo({ level, at, samples }: ResidentBrick, only?: Vector3): void {
-    const { bricks } = this.layout.levels[level];
-    for (const way of waysToNeighbours) {
-      const step = wayWithin({ at, bricks }, way);
-      if (only && step.some((n, axis) => n !== only[axis])) continue;
-      const neighbour = this.#neighbour({ level, at }, step);
-      if (neighbour) fillHalo(samples, way, neighbour.samples, step);
-      else fillHalo(samples, way, samples, [0, 0, 0]);
-    }
-  }
-
-  /** The bricks next to one that has come or gone have another halo. */
-  #changeNeighbours(brick: ResidentBrick): void {
-    this.changes++;
-    for (const way of waysToNeighbours) {
-      const neighbour = this.#neighbour(brick, way);
-      if (!neighbour) continue;
-      this.#fillHalo(neighbour, way.map((n) => 0 - n) as unknown as Vector3);
-      const changed: ResidentBrick = { ...neighbour, blocks: undefined };
-      this.#bricks.set(keyOfBrick(changed), changed);
-      this.#bySlot[changed.slot] = changed;
-      this.#cells.change(...cellsOfBrick(this.layout, changed.level, changed.at));
+  /** Fills the halos of the bricks that touch what has changed: of the coarsest first, as finer ones may show what is between the last voxels of these. */
+  #settleHalos(): void {
+    if (this.#changed.length === 0) return;
+    const { layout, volume, pages } = this;
+    const sources = {
+      layout,
+      volume,
+      pages,
+      inSlot: (slot: number) => this.#bySlot[slot],
+      find: (brick: Brick) => this.get(brick),
+    };
+    const changed = this.#changed.splice(0);
+    const byLevel = [...this.bricks].sort((a, b) => b.level - a.level);
+    for (const brick of byLevel) {
+      const box = cellsOfBrick(layout, brick.level, brick.at);
+      const isTouched = changed.some((one) => brick.level < one.level && touches(box, one.box));
+      if (!isTouched || !fillHalo(sources, brick)) continue;
+      const other: ResidentBrick = { ...brick, blocks: undefined };
+      this.#bricks.set(keyOfBrick(other), other);
+      this.#bySlot[other.slot] = other;
+      this.#cells.change(...box);
+      // Of its level, halos have the voxels inside of it.
+      changed.push({ box, level: brick.level });
     }
   }
 
@@ -315,6 +331,18 @@ export class ResidentBricks implements FinerVoxels {
     return voxels.map((n) => 1 / n) as unknown as Vector3;
   }
 
+  /** Twin: shaders/chunks/field/bricks-3d.glsl, meetPlaneOrFace */
+  facesAlong(from: Vector3, to: Vector3): number[] {
+    const { cells, levels } = this.layout;
+    const [{ scale, shift }] = levels;
+    const [begin, end] = [from, to].map((place) => place.map((x, axis) => (x * scale[axis] + shift[axis]) / brickSide));
+    const way = end.map((x, axis) => x - begin[axis]) as unknown as Vector3;
+    const inside = cells.map((n) => n + 1) as unknown as Vector3; // There are faces at both ends.
+    const shares = meetVoxelPlanes(begin as unknown as Vector3, way, inside);
+    const slotBehind = (share: number): number => this.slotAt(pointAt(from, to, share + faceSlack));
+    return shares.filter((share) => slotBehind(share) !== slotBehind(share - 2 * faceSlack));
+  }
+
   /** The number of the cell at a place of the unit cube. */
   cellAt(place: Vector3): number {
     const [cx, cy] = this.layout.cells;
@@ -341,9 +369,11 @@ export class ResidentBricks implements FinerVoxels {
 
   /** The pages of a brick that comes or goes. */
   #change({ level, at }: Brick, next: NextNumber): void {
-    const [low, high] = cellsOfBrick(this.layout, level, at);
-    this.#cells.change(low, high);
-    this.pages.change(low, high, next);
+    const box = cellsOfBrick(this.layout, level, at);
+    this.changes++;
+    this.#changed.push({ box, level: Infinity });
+    this.#cells.change(...box);
+    this.pages.change(...box, next);
   }
 
   #widen({ low, high }: ResidentBrick): void {

@@ -50,6 +50,8 @@ export interface FinerVoxels {
   nearestAt(place: Vector3): number | undefined;
   /** Planes of them; null before they can be read. */
   readonly planes: PlaneVoxels | null;
+  /** Where a line meets faces between such voxels of different bricks, over which values may jump: shares of the line, ascending. Places are in the unit cube. */
+  facesAlong(from: Vector3, to: Vector3): number[];
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;
 }

@@ -31,8 +31,9 @@ uniform vec3 uPlaneVoxels;
 #define FINEST_VOXELS uFinestVoxels
 #define PLANE_VOXELS uPlaneVoxels
 
-/// Voxels along the unit cube, of what is shown at the last place that `inAtlas` was asked for.
+/// Of what is shown at the last place that `inAtlas` was asked for: voxels along the unit cube, and cells along each axis that are known to show the same brick.
 vec3 voxelScale;
+float sameCells = 1.0;
 
 /// What is known of the cell that a ray has looked into last: how many times as long as those of the finest level of which there are bricks its voxels are at least,
 /// samples for each of them, and whole steps that are left in it.
@@ -55,18 +56,34 @@ vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
   vec3 cell = min(place * uCellScale + uCellShift, uLastCell);
   vec4 page = texelFetch(uBrickPages, ivec3(cell * uPerGroup), 0);
+  sameCells = page.w < 0.0 ? 1.0 : 1.0 / uPerGroup;
   if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
   voxelScale = uLevelScales[int(page.w)];
   return place * voxelScale + page.xyz;
 }
 
+/// How far a line runs from a place to the next whole number along any axis; way: how far a unit of length moves it.
+float meetWhole(vec3 place, vec3 way) {
+  vec3 ahead = sign(way) * place;
+  vec3 lengths = (floor(ahead) + 1.0 - ahead) / max(abs(way), vec3(1.0e-9));
+  return min(min(lengths.x, lengths.y), lengths.z);
+}
+
 /// Where a line meets the next plane of voxel centres of what is shown at a place of it. Places are lengths; forward: how far a unit of length moves it.
 float meetPlane(vec3 origin, vec3 forward, float at) {
   vec3 place = inAtlas(origin + forward * at) - 0.5;
-  vec3 way = forward * voxelScale;
-  vec3 ahead = sign(way) * place;
-  vec3 lengths = (floor(ahead) + 1.0 - ahead) / max(abs(way), vec3(1.0e-9));
-  return at + min(min(lengths.x, lengths.y), lengths.z);
+  return at + meetWhole(place, forward * voxelScale);
+}
+
+/// Where a piece ends that begins at a place of a line: at the next plane of voxel centres of what is shown there; or shortly before or behind a face between bricks, over
+/// which values may jump. No piece is shorter than `shortest`. Twin: bricks/resident-bricks.ts, facesAlong
+float meetPlaneOrFace(vec3 origin, vec3 forward, float from, float shortest) {
+  float at = from + shortest;
+  float plane = meetPlane(origin, forward, at);
+  vec3 way = forward * uCellScale / sameCells;
+  vec3 cell = ((origin + forward * at) * uCellScale + uCellShift) / sameCells;
+  bool isBehindFace = meetWhole(cell, -way) < shortest;
+  return isBehindFace ? at : max(at, min(plane, at + meetWhole(cell, way) - 0.5 * shortest));
 }
 
 #define IN_VOXELS(p) inAtlas(p)

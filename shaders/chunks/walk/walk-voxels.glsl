@@ -1,5 +1,5 @@
 /// Walk a ray from one plane of voxel centres to the next, independent of the step length. Between two planes a tri-linear value is a cubic
-/// function of the length; the gather stage gets each such piece (`gatherPiece`). Pieces have the same ends with skipping and without.
+/// function of the length; the gather stage gets each such piece (`gatherPiece`). Pieces have the same ends with skipping and without, except in bricks.
 /// Twin: optics/rays/cast-ray.ts, walkKinks
 void walkRay(Path path, float limit, inout Gathered gathered) {
   PlaneWalk walk = enterPlanes(path.origin, path.forward);
@@ -25,7 +25,12 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
       }
     }
     if (!isEnd) {
+#ifdef BRICKS
+      // Voxels of bricks differ in their lengths.
+      float to = min(limit, meetPlaneOrFace(path.origin, path.forward, at, 0.1 * unit));
+#else
       float to = passNext(limit, walk);
+#endif
       Sample back = sampleField(path.origin + path.forward * to);
       gatherPiece(path, at, to, front, back, gathered);
       if (isSettled(gathered)) break;

@@ -7,6 +7,9 @@ import type { FieldStage } from './ray-stages.ts';
 import { voteOfCorners } from './vote.ts';
 import { meetVoxelPlanes } from './voxel-planes.ts';
 
+/** A piece that begins or ends so near to a face over which values may jump, in shares of a line, is on one side of it. */
+const besideFace = 1e-8;
+
 /** How stored values become data values. */
 interface Scaling {
   readonly slope: number;
@@ -28,7 +31,14 @@ export function cartesianField({
 }): FieldStage {
   const kinksAlong = (from: Vector3, to: Vector3): number[] => {
     const planes = finer?.grid.dimensions ?? dimensions;
-    return meetVoxelPlanes(inVoxels(planes, from), subtract(inVoxels(planes, to), inVoxels(planes, from)), planes);
+    const kinks = meetVoxelPlanes(
+      inVoxels(planes, from),
+      subtract(inVoxels(planes, to), inVoxels(planes, from)),
+      planes,
+    );
+    if (!finer) return kinks;
+    const faces = finer.facesAlong(from, to).flatMap((share) => [share - besideFace, share + besideFace]);
+    return [...kinks, ...faces.filter((share) => share > 0 && share < 1)].sort((a, b) => a - b);
   };
   if (isDiscrete)
     return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };

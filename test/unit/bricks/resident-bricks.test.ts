@@ -13,15 +13,15 @@ import { chooseGroupSide } from '../../../src/bricks/cell-numbers.ts';
 import { brickSide } from '../../../src/bricks/brick-data.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
 import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
-import type { Brick, Pyramid } from '../../../src/bricks/pyramid.ts';
+import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { keyOfBrick } from '../../../src/bricks/resident-bricks.ts';
-import type { ResidentBricks } from '../../../src/bricks/resident-bricks.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
 import { cartesianField } from '../../../src/optics/rays/ray-field.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
 import { identity } from '../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import { cutIntoBricks, readBrick } from '../../helpers/bricks.ts';
+import type { Bricked } from '../../helpers/bricks.ts';
 import { fieldWithHole, randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [70, 96, 40];
@@ -34,39 +34,45 @@ const isInHalo = (n: number): boolean =>
     (m) => m === 0 || m === slotSide - 1,
   );
 
-/** What a place shows: the voxels of its level, as far as their bricks are there; else its brick's own outermost ones are repeated. */
-function expectedAt(
-  { levels }: Pyramid,
-  finer: ResidentBricks,
-  level: number,
-  place: Vector3, // In voxels of the level, whole numbers at the faces.
-): number {
+/**
+ * What a place shows: the voxels of its level, as far as their bricks are there; elsewhere what is shown at their middles.
+ * @param place - in voxels of the level, whole numbers at the faces
+ */
+function expectedAt(bricked: Bricked, level: number, place: readonly number[]): number {
+  const {
+    pyramid: { levels },
+    volume: { finer },
+  } = bricked;
   const { samples, dimensions } = levels[level];
-  const inside = (n: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, n));
-  const own = place.map((x, axis) => Math.floor(inside(x, axis) / brickSide)) as unknown as Vector3;
-  const isPinned = level === levels.length - 1;
-  /** A corner of 2 x 2 x 2 voxels for `interpolate`. */
-  const first = place.map((x, axis) => Math.floor(Math.min(dimensions[axis] - 0.5, Math.max(0.5, x)) - 0.5));
-  const corners = Float32Array.from({ length: 8 }, (_, n) => {
-    const voxel = first.map((m, axis) => inside(m + ((n >> axis) & 1), axis));
-    const at = voxel.map((m) => Math.floor(m / brickSide)) as unknown as Vector3;
-    const [x, y, z] =
-      isPinned || finer.get({ level, at })
-        ? voxel
-        : voxel.map((m, axis) => Math.min(brickSide * own[axis] + brickSide - 1, Math.max(brickSide * own[axis], m)));
-    return samples[x + dimensions[0] * (y + dimensions[1] * z)];
-  });
-  const within = place.map(
-    (x, axis) => (Math.min(dimensions[axis] - 0.5, Math.max(0.5, x)) - first[axis]) / 2,
-  ) as unknown as Vector3;
-  return interpolate(corners, [2, 2, 2], within);
+  const within = place.map((x, axis) => Math.min(dimensions[axis] - 0.5, Math.max(0.5, x)));
+  const first = within.map((x) => Math.floor(x - 0.5));
+  const own = place.map((x, axis) => Math.floor(Math.min(dimensions[axis] - 0.5, Math.max(0, x)) / brickSide));
+  const voxelAt = (voxel: readonly number[]): number => {
+    const at = voxel.map((n) => Math.floor(n / brickSide)) as unknown as Vector3;
+    const isThere = level === levels.length - 1 || String(at) === String(own) || finer.get({ level, at });
+    if (isThere) return samples[voxel[0] + dimensions[0] * (voxel[1] + dimensions[1] * voxel[2])];
+    const cell = voxel.map((n) => Math.floor(((n + 0.5) * 2 ** level) / brickSide));
+    const [cx, cy] = bricked.layout.cells;
+    const other = finer.levelOf(cell[0] + cx * (cell[1] + cy * cell[2]));
+    const value = expectedAt(
+      bricked,
+      other,
+      voxel.map((n) => (n + 0.5) * 2 ** (level - other)),
+    );
+    return samples instanceof Float32Array ? value : Math.round(value);
+  };
+  const corners = Float32Array.from({ length: 8 }, (_, n) =>
+    voxelAt(first.map((m, axis) => Math.min(dimensions[axis] - 1, m + ((n >> axis) & 1)))),
+  );
+  return interpolate(corners, [2, 2, 2], within.map((x, axis) => (x - first[axis]) / 2) as unknown as Vector3);
 }
 
 describe('bricks that are there', () => {
   for (const kind of ['uint8', 'uint16', 'float32'] as const)
     it(`give the values of the levels that their cells have: ${kind}`, () => {
       const whole = syntheticVolume({ dimensions, kind, ...(kind === 'float32' && { field: fieldWithHole }) });
-      const { pyramid, volume } = cutIntoBricks(whole, 3, ({ level, at: [i, j] }) => (level === 0 ? i === 1 : j === 0));
+      const bricked = cutIntoBricks(whole, 3, ({ level, at: [i, j] }) => (level === 0 ? i === 1 : j === 0));
+      const { volume } = bricked;
       const { finer } = volume;
       const levelOf = Uint8Array.from({ length: 3 * 3 * 2 }, (_, cell) => finer.levelOf(cell));
       expect([0, 1, 2, 3].filter((level) => levelOf.includes(level))).to.deep.equal([0, 1, 2]);
@@ -78,7 +84,7 @@ describe('bricks that are there', () => {
         const level = finer.levelOf(finer.cellAt(place));
         const voxels = place.map((n, axis) => (n * ends[axis] * dimensions[axis]) / 2 ** level);
         const { value } = field.sampleAt(place);
-        const other = expectedAt(pyramid, finer, level, voxels as unknown as Vector3);
+        const other = expectedAt(bricked, level, voxels);
         if (Number.isNaN(other)) expect(Number.isNaN(value)).to.equal(true);
         else expect(value).to.be.closeTo(other, 1e-3 * (1 + Math.abs(other)));
       }
@@ -96,21 +102,25 @@ describe('bricks that are there', () => {
       read.samples.forEach((_, n) => (read.samples[n] = isInHalo(n) ? 255 : read.samples[n]));
       finer.add(brick, read);
     }
+    finer.current(volume);
     for (const brick of all) if (!isThere(brick)) finer.remove(brick);
+    const cells = finer.current(volume).macrocells;
     const complete = all.filter((brick) => finer.get(brick) && finer.isComplete(brick));
     expect([finer.count, complete.length]).to.deep.equal([volume.finer.count, 0]);
     for (const place of places) expect(finer.storedAt(place)).to.equal(volume.finer.storedAt(place));
-    const cells = finer.current(volume).macrocells;
     const expected = volume.finer.current(volume).macrocells;
     for (const what of ['low', 'high', 'roughness'] as const)
       expect([...cells[what]], what).to.deep.equal([...expected[what]]);
   });
 
   it('are complete where all of their neighbours are there', () => {
-    const { finer } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2).volume;
+    const { volume } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2);
+    const { finer } = volume;
     // Of 3 x 3 x 2 bricks.
     expect([0, 1].map((i) => finer.isComplete({ level: 0, at: [i, 1, 0] }))).to.deep.equal([true, false]);
     finer.remove({ level: 0, at: [1, 2, 1] });
+    expect(finer.isComplete({ level: 0, at: [0, 0, 0] }), 'not before the halos are filled').to.equal(false);
+    finer.current(volume);
     expect(finer.isComplete({ level: 0, at: [0, 1, 0] }), 'over a corner').to.equal(false);
     expect(finer.isComplete({ level: 0, at: [0, 0, 0] })).to.equal(true);
   });

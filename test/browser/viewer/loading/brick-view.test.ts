@@ -453,7 +453,9 @@ describe('a pyramid in bricks on a page', () => {
     await begun;
     expect(view.volume!.reduced).to.equal(undefined);
     // Until bricks come.
-    while ((log.byLevel[0] ?? 0) + (log.byLevel[1] ?? 0) < 20) await new Promise((resolve) => setTimeout(resolve, 20));
+    while (log.byLevel.slice(0, 3).reduce((sum, n) => sum + (n ?? 0), 0) < 20) {
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
     expect(view.renderStats?.converged ?? false).to.equal(false);
     view.remove();
     await new Promise((resolve) => setTimeout(resolve, 100));
