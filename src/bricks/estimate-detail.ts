@@ -33,7 +33,7 @@ export function estimateDetail(scene: DetailScene, cells: number): DetailEstimat
 export function* seekDetail(
   scene: DetailScene,
   listener: DetailListener,
-): Waiting<{ readonly rms: number; readonly p99: number; readonly finest: number }> {
+): Waiting<{ readonly rms: number; readonly p99: number; readonly finest: number; readonly energy: number }> {
   const { field, rays, step, across, shift = [0.5, 0.5] } = scene;
   const isLossAsked = listener.loss !== undefined;
   const estimateRay = scene.extreme ? estimateExtremes(scene, isLossAsked) : estimateSeen(scene, isLossAsked);
@@ -62,6 +62,7 @@ export function* seekDetail(
   return {
     rms: covered > 0 ? inBytes(sum / (4 * covered)) : 0,
     p99: inBytes(p99),
+    energy: sum,
     finest: found.length > 0 ? finest : 0,
   };
 }

@@ -82,6 +82,16 @@ export class BrickGains implements DetailListener {
   }
 }
 
+/** The first of ranked bricks that bring so much together; all where they do not. @param least - at least so many */
+export function untilEnough(
+  ranked: readonly RankedBrick[],
+  { needed, least }: { readonly needed: number; readonly least: number },
+): readonly RankedBrick[] {
+  let sum = 0;
+  const end = ranked.findIndex(({ gain }, n) => (sum += gain) >= needed && n + 1 >= least);
+  return end < 0 ? ranked : ranked.slice(0, end + 1);
+}
+
 /** Rays across and down of which some say where bricks are looked at, whatever is expected of them; and how many of those that meet the volume do. */
 const [probesAcross, mostProbes] = [12, 9];
 

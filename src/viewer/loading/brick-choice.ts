@@ -1,5 +1,6 @@
 import type { RankedBrick } from '../../bricks/choose-bricks.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
+import { untilEnough } from '../../bricks/rank-bricks.ts';
 import type { BrickGains } from '../../bricks/rank-bricks.ts';
 import { keyOfBrick } from '../../bricks/resident-bricks.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
@@ -13,6 +14,12 @@ import { isSteep, loadSteepCode } from './brick-steep.ts';
 
 /** Bricks that are asked for before the view is looked at again: at least so many, and this share of those that are there. */
 const [leastTurn, shareOfTurn, mostTurn] = [48, 0.5, 1024];
+
+/** The error of a picture that is left to bricks, as a share of all that it may have: steps may have 0.6, and both add up as squares. */
+const shareOfBricks = 0.8;
+
+/** Bricks are asked for until the error should be this share of what it may be: others are missing where these rays do not look. */
+const shareOfGoal = 0.5;
 
 /** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
 const [mostExchanges, leastGain] = [3, 0.03];
@@ -70,20 +77,26 @@ export class BrickChoice {
     return estimateBricks({ volume, bricks: this.bricks, detail: this.detail }, picture, { turn, steepCode });
   }
 
-  choose({ error: { rms }, gains, probes, finest }: BrickEstimate, wish: PictureWish): ChosenBricks {
+  choose({ error: { rms }, gains, probes, finest, energy }: BrickEstimate, wish: PictureWish): ChosenBricks {
     const { key, maxError, slots, isAsking } = wish;
     if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
       this.#exchanged = { key, slots, times: 0, error: Infinity };
     const isFull = this.bricks.count >= slots;
     const isBetter = rms < (1 - leastGain) * this.#exchanged.error;
     if (isBetter) this.#exchanged.error = rms;
-    const isEnough = rms <= maxError || (isFull && this.#exchanged.times >= mostExchanges);
+    const isEnough = rms <= shareOfBricks * maxError || (isFull && this.#exchanged.times >= mostExchanges);
     const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * this.bricks.count)));
+    const needed = (1 - ((shareOfGoal * maxError) / rms) ** 2) * energy;
     const doubts = this.#doubt(gains, isEnough && !isAsking ? key : '');
     return {
       // Who has what the writer says need not look.
       probes: isAsking ? [] : [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
-      missing: isEnough ? [] : gains.rank(count, this.bricks.bytesOfBrick, (brick) => wish.isRefused(brick)),
+      missing: isEnough
+        ? []
+        : untilEnough(
+            gains.rank(count, this.bricks.bytesOfBrick, (brick) => wish.isRefused(brick)),
+            { needed, least: leastTurn },
+          ),
       tooFine: [...this.bricks.bricks].filter(({ level }) => level < finest - levelsToSpare),
       isExchange: isFull && !isBetter,
     };

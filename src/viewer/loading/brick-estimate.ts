@@ -28,6 +28,8 @@ export interface BrickEstimate {
   readonly finest: number;
   /** The error that is left in the picture, over the rays that show something. No bound of the largest one is known. */
   readonly error: ErrorPart;
+  /** The same in the unit of the gains. */
+  readonly energy: number;
 }
 
 /** Rays across and down. */
@@ -96,6 +98,6 @@ export function* estimateBricks(
     isAway: away && ((x: number, y: number, z: number) => !isKept(away, transformPoint(toWorld, [x, y, z]))),
   };
   const probes = probeBricks(bricks.layout, rays, (brick) => detail.isMeasured(brick), finestAt);
-  const { rms, p99, finest } = yield* seekDetail(scene, gains);
-  return { gains, probes, finest, error: { rms, p99, max: null } };
+  const { rms, p99, finest, energy } = yield* seekDetail(scene, gains);
+  return { gains, probes, finest, energy, error: { rms, p99, max: null } };
 }

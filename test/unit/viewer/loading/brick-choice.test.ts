@@ -5,7 +5,7 @@ import { atOnce } from '../../../../src/core/waiting.ts';
 import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../../../src/optics/rays/camera.ts';
 import type { VolumeOptics } from '../../../../src/viewer/model/volume-info.ts';
 import { boundingSphere } from '../../../../src/volume/grid.ts';
-import { BrickGains } from '../../../../src/bricks/rank-bricks.ts';
+import { BrickGains, untilEnough } from '../../../../src/bricks/rank-bricks.ts';
 import { keyOfBrick } from '../../../../src/bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../../../src/bricks/resident-detail.ts';
 import { BrickChoice } from '../../../../src/viewer/loading/brick-choice.ts';
@@ -26,7 +26,8 @@ function makeChoice() {
   const choose = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = [], finest = 0): ChosenBricks => {
     const gains = new BrickGains(bricks);
     for (let cell = 0; cell < 20; cell++) gains.gain(cell, 0, 100 - cell);
-    return choice.choose({ probes, gains, finest, error: { rms, p99: rms, max: null } }, { ...wish, ...more });
+    const estimate = { probes, gains, finest, energy: 2000, error: { rms, p99: rms, max: null } };
+    return choice.choose(estimate, { ...wish, ...more });
   };
   const look = (brick: Brick): void => detail.measure(brick, readBrick(pyramid, brick), true);
   return { bricks, choice, choose, look, add: (brick: Brick) => bricks.add(brick, readBrick(pyramid, brick)) };
@@ -44,15 +45,23 @@ describe('What a view in bricks asks for next', () => {
       '0/1/0/0',
       '0/2/0/0',
     ]);
-    const enough = choose(1.9);
+    const enough = choose(1.5);
     expect(enough.missing).to.deep.equal([]);
     expect(keysOf(enough.probes)).to.deep.equal(['0/0/0/0', '0/1/0/0', '0/2/0/0', '0/3/0/0', '0/0/1/0', '0/1/1/0']);
     for (const brick of enough.probes) look(brick);
-    expect(choose(1.9).probes).to.deep.equal([]);
-    // More was needed after all: then others are looked at.
-    expect(choose(2.5).missing).to.have.length.above(0);
-    expect(keysOf(choose(1.9).probes)[0]).to.equal('0/2/1/0');
-    expect(choose(1.9, { key: 'b' }).probes).to.have.lengthOf(6);
+    expect(choose(1.5).probes).to.deep.equal([]);
+    // More was needed after all: then others are looked at. Steps have a share of the error.
+    expect(choose(1.7).missing).to.have.length.above(0);
+    expect(keysOf(choose(1.5).probes)[0]).to.equal('0/2/1/0');
+    expect(choose(1.5, { key: 'b' }).probes).to.have.lengthOf(6);
+  });
+
+  it('is no more than brings enough together, but as many as a turn has at least', () => {
+    const gains = [8, 4, 2, 1, 1];
+    const ranked = gains.map((gain, n) => ({ brick: { level: 0, at: [n, 0, 0] as const }, gain, bytes: 1 }));
+    const counts = [0, 8, 9, 14, 15.5, 16, 17].map((needed) => untilEnough(ranked, { needed, least: 2 }).length);
+    expect(counts).to.deep.equal([2, 2, 2, 3, 5, 5, 5]);
+    expect(untilEnough(ranked, { needed: NaN, least: 1 })).to.deep.equal(ranked);
   });
 
   it('waits for what the writer of the pyramid says, and leaves out what can not be read', () => {
