@@ -139,6 +139,7 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
       const best = now.gains.rank(turn, 1, () => false);
       if (best.length === 0) break;
       for (const { brick } of best) add(brick);
+      bricked.volume.finer.current(bricked.volume);
       now = estimate();
     }
     const doubts = now.gains.rankFinest(doubtful, (brick) => detail.isMeasured(brick));

@@ -60,7 +60,7 @@ export function cutIntoBricks(
   return { pyramid, layout, volume: { ...coarse, macrocells: finer.current(coarse).macrocells, finer } };
 }
 
-/** A brick with its halo, as a store reads it. */
+/** A brick, as a store reads it alone: its halo repeats its outermost voxels. */
 export function readBrick({ levels }: Pyramid, { level, at }: Brick): BrickSamples {
   const {
     dimensions: [nx, ny, nz],
@@ -72,7 +72,8 @@ export function readBrick({ levels }: Pyramid, { level, at }: Brick): BrickSampl
   for (let k = 0, to = 0; k < slotSide; k++)
     for (let j = 0; j < slotSide; j++)
       for (let i = 0; i < slotSide; i++, to++) {
-        const [x, y, z] = [i, j, k].map((n, axis) => inside(at[axis] * brickSide + n - 1, [nx, ny, nz][axis]));
+        const own = [i, j, k].map((n) => inside(n - 1, brickSide));
+        const [x, y, z] = own.map((n, axis) => inside(at[axis] * brickSide + n, [nx, ny, nz][axis]));
         const value = (samples[to] = from[x + nx * (y + ny * z)]);
         if (Number.isNaN(value)) hasNoData = true;
         else [low, high] = [Math.min(low, value), Math.max(high, value)];
