@@ -60,8 +60,8 @@ export function cutIntoBricks(
   return { pyramid, layout, volume: { ...coarse, macrocells: finer.current(coarse).macrocells, finer } };
 }
 
-/** A brick, as a store reads it alone: its halo repeats its outermost voxels. */
-export function readBrick({ levels }: Pyramid, { level, at }: Brick): BrickSamples {
+/** A brick, as a store reads it. @param isAlone - its halo repeats its outermost voxels */
+export function readBrick({ levels }: Pyramid, { level, at }: Brick, isAlone = true): BrickSamples {
   const {
     dimensions: [nx, ny, nz],
     samples: from,
@@ -72,7 +72,7 @@ export function readBrick({ levels }: Pyramid, { level, at }: Brick): BrickSampl
   for (let k = 0, to = 0; k < slotSide; k++)
     for (let j = 0; j < slotSide; j++)
       for (let i = 0; i < slotSide; i++, to++) {
-        const own = [i, j, k].map((n) => inside(n - 1, brickSide));
+        const own = [i, j, k].map((n) => (isAlone ? inside(n - 1, brickSide) : n - 1));
         const [x, y, z] = own.map((n, axis) => inside(at[axis] * brickSide + n, [nx, ny, nz][axis]));
         const value = (samples[to] = from[x + nx * (y + ny * z)]);
         if (Number.isNaN(value)) hasNoData = true;
