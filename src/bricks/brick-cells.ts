@@ -4,10 +4,9 @@ import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { VolumeData } from '../volume/volume.ts';
-import { blockSide, blocksAlong, measureBlocks } from './block-ranges.ts';
+import { blockSide, blocksAlong } from './block-ranges.ts';
 import type { BlockRanges } from './block-ranges.ts';
 import { brickSide } from './brick-data.ts';
-import type { BrickSamples } from './brick-data.ts';
 import { cellOfPlace, gridOfLevel } from './brick-layout.ts';
 import type { BrickLayout, LevelFrame } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
@@ -18,10 +17,9 @@ const maxCells = 2 ** 18;
 /** What only touches a macrocell does not count, also where places are rounded; in macrocells. Blocks have a voxel more at each side. */
 const rounding = 1e-4;
 
-/** A brick with what is known of its samples. */
-export interface MeasuredBrick extends Brick, Pick<BrickSamples, 'samples'> {
-  /** Made when it is first needed. */
-  blocks?: BlockRanges;
+/** A brick with what its blocks have. */
+export interface MeasuredBrick extends Brick {
+  readonly blocks: BlockRanges;
 }
 
 /** @param last - is inside */
@@ -161,7 +159,6 @@ export class BrickCells {
   }
 
   #addBlocks(found: Values, brick: MeasuredBrick, box: readonly [Vector3, Vector3]): void {
-    brick.blocks ??= measureBlocks(brick.samples);
     const { low, high, roughness } = brick.blocks;
     found.length = Math.min(found.length, this.#lengths[brick.level]);
     const frame = this.layout.levels[brick.level];

@@ -1,3 +1,5 @@
+import { atOnce } from '../core/waiting.ts';
+import type { Waiting } from '../core/waiting.ts';
 import { interpolate } from '../optics/rays/interpolate.ts';
 import { meetVoxelPlanes } from '../optics/rays/voxel-planes.ts';
 import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
@@ -6,6 +8,7 @@ import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
+import { measureBlocks } from './block-ranges.ts';
 import { BrickCells } from './brick-cells.ts';
 import type { MeasuredBrick, ShownBricks } from './brick-cells.ts';
 import { brickSide } from './brick-data.ts';
@@ -59,7 +62,7 @@ function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean 
 
 /**
  * Bricks of finer levels over a volume, as rays in float64 read them. Each cell (brick of the finest level) shows the finest brick that is
- * there. Bricks need no voxels but their own: `current` fills their halos. Twin: shaders/chunks/field/bricks-3d.glsl
+ * there. Bricks need no voxels but their own: `settle` fills their halos. Twin: shaders/chunks/field/bricks-3d.glsl
  */
 export class ResidentBricks implements FinerVoxels {
   /** By cell: 1 + the slot of the brick that is shown there, or 0 where it is the volume itself. */
@@ -88,7 +91,7 @@ export class ResidentBricks implements FinerVoxels {
   readonly #free: number[] = [];
   readonly #counts: number[];
   /** Where bricks have come or gone since halos were filled. */
-  readonly #changed: ChangedBox[] = [];
+  #changed: ChangedBox[] = [];
   readonly #cells: BrickCells;
   /** Smallest and largest stored value of all bricks that came: fewer of them when they go would change the tables of colours. */
   #low = Infinity;
@@ -129,7 +132,8 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   current<V extends BrickedValues>(volume: V): V {
-    this.#settleHalos();
+    // While more bricks come, who asks for them settles what has come.
+    if (!this.moving) atOnce(this.settle());
     const shown: ShownBricks = (first, last, meet) =>
       this.pages.visit(first, last, (page) => meet(this.#bySlot[page - 1]));
     if (this.#cells.update(shown, this.#level)) this.#cellChanges++;
@@ -180,13 +184,13 @@ export class ResidentBricks implements FinerVoxels {
     return this.#bySlot[slot];
   }
 
-  /** Takes over the samples; `current` replaces their halo. */
+  /** Takes over the samples; `settle` replaces their halo. */
   add(place: Brick, values: Omit<BrickSamples, 'hasNoData'>): ResidentBrick {
     const known = this.get(place);
     if (known) return known;
     const slot = this.#free.pop() ?? this.#bySlot.length;
     const { level, at } = place;
-    const brick: ResidentBrick = { level, at, ...values, slot, blocks: undefined };
+    const brick: ResidentBrick = { level, at, ...values, slot, blocks: measureBlocks(values.samples) };
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
@@ -215,9 +219,13 @@ export class ResidentBricks implements FinerVoxels {
     );
   }
 
-  /** Fills the halos of the bricks that touch what has changed: of the coarsest first, as finer ones may show what is between the last voxels of these. */
-  #settleHalos(): void {
+  /**
+   * Fills the halos of the bricks that touch what has come or gone, with pauses: of the coarsest first, as finer ones may show what is between the last voxels of these.
+   * What comes meanwhile waits for the next time.
+   */
+  *settle(): Waiting<void> {
     if (this.#changed.length === 0) return;
+    const due = new Set(this.#changed);
     const { layout, volume, pages } = this;
     const sources = {
       layout,
@@ -226,19 +234,23 @@ export class ResidentBricks implements FinerVoxels {
       inSlot: (slot: number) => this.#bySlot[slot],
       find: (brick: Brick) => this.get(brick),
     };
-    const changed = this.#changed.splice(0);
+    const changed = [...due];
     const byLevel = [...this.bricks].sort((a, b) => b.level - a.level);
-    for (const brick of byLevel) {
-      const box = cellsOfBrick(layout, brick.level, brick.at);
-      const isTouched = changed.some((one) => brick.level < one.level && touches(box, one.box));
-      if (!isTouched || !fillHalo(sources, brick)) continue;
-      const other: ResidentBrick = { ...brick, blocks: undefined };
+    for (const listed of byLevel) {
+      const box = cellsOfBrick(layout, listed.level, listed.at);
+      if (!changed.some((one) => listed.level < one.level && touches(box, one.box))) continue;
+      const brick = this.get(listed);
+      if (!brick || !fillHalo(sources, brick)) continue;
+      const other: ResidentBrick = { ...brick, blocks: measureBlocks(brick.samples) };
       this.#bricks.set(keyOfBrick(other), other);
       this.#bySlot[other.slot] = other;
+      this.changes++;
       this.#cells.change(...box);
       // Of its level, halos have the voxels inside of it.
       changed.push({ box, level: brick.level });
+      yield;
     }
+    this.#changed = this.#changed.filter((one) => !due.has(one));
   }
 
   /** From now on there are at most so many slots, and bricks: the last ones that came go, and those in other slots get another one. */

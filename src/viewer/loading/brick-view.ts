@@ -317,6 +317,7 @@ export class BrickView implements ViewPart, KeptBricks {
       const picture = this.#picture;
       const changes = this.#changes;
       let isExchange = false;
+      await inPieces(bricks.settle(), () => !life.aborted);
       const work = picture && (await this.#choice.estimate(this.volume, picture));
       const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
