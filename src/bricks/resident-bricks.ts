@@ -1,7 +1,6 @@
 import { atOnce } from '../core/waiting.ts';
 import type { Waiting } from '../core/waiting.ts';
 import { interpolate } from '../optics/rays/interpolate.ts';
-import { meetVoxelPlanes } from '../optics/rays/voxel-planes.ts';
 import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
@@ -28,13 +27,8 @@ import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
+import { findKinks } from './brick-kinks.ts';
 import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
-
-/** So near to a face between bricks, in shares of a line, values are those of the brick on this side. */
-const faceSlack = 1e-9;
-
-const pointAt = (from: Vector3, to: Vector3, share: number): Vector3 =>
-  from.map((x, axis) => x + share * (to[axis] - x)) as unknown as Vector3;
 
 /** Cells along each axis, without the last ones. */
 type CellBox = ReturnType<typeof cellsOfBrick>;
@@ -235,7 +229,8 @@ export class ResidentBricks implements FinerVoxels {
       find: (brick: Brick) => this.get(brick),
     };
     const changed = [...due];
-    const byLevel = [...this.bricks].sort((a, b) => b.level - a.level);
+    const byLevel = [...this.bricks];
+    byLevel.sort((a, b) => b.level - a.level);
     for (const listed of byLevel) {
       const box = cellsOfBrick(layout, listed.level, listed.at);
       if (!changed.some((one) => listed.level < one.level && touches(box, one.box))) continue;
@@ -343,16 +338,8 @@ export class ResidentBricks implements FinerVoxels {
     return voxels.map((n) => 1 / n) as unknown as Vector3;
   }
 
-  /** Twin: shaders/chunks/field/bricks-3d.glsl, meetPlaneOrFace */
-  facesAlong(from: Vector3, to: Vector3): number[] {
-    const { cells, levels } = this.layout;
-    const [{ scale, shift }] = levels;
-    const [begin, end] = [from, to].map((place) => place.map((x, axis) => (x * scale[axis] + shift[axis]) / brickSide));
-    const way = end.map((x, axis) => x - begin[axis]) as unknown as Vector3;
-    const inside = cells.map((n) => n + 1) as unknown as Vector3; // There are faces at both ends.
-    const shares = meetVoxelPlanes(begin as unknown as Vector3, way, inside);
-    const slotBehind = (share: number): number => this.slotAt(pointAt(from, to, share + faceSlack));
-    return shares.filter((share) => slotBehind(share) !== slotBehind(share - 2 * faceSlack));
+  kinksAlong(from: Vector3, to: Vector3): readonly number[] {
+    return findKinks({ layout: this.layout, grid: this.grid, slotAt: (place) => this.slotAt(place) }, from, to);
   }
 
   /** The number of the cell at a place of the unit cube. */

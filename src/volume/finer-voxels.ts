@@ -50,8 +50,8 @@ export interface FinerVoxels {
   nearestAt(place: Vector3): number | undefined;
   /** Planes of them; null before they can be read. */
   readonly planes: PlaneVoxels | null;
-  /** Where a line meets faces between such voxels of different bricks, over which values may jump: shares of the line, ascending. Places are in the unit cube. */
-  facesAlong(from: Vector3, to: Vector3): number[];
+  /** Where values kink along a line between two places of the unit cube, see `FieldStage.kinksAlong`; also right before and behind faces over which they may jump. */
+  kinksAlong(from: Vector3, to: Vector3): readonly number[];
   /** Edges of the voxel at a place, in the unit cube. */
   voxelAt(place: Vector3): Vector3;
 }

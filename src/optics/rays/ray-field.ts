@@ -7,9 +7,6 @@ import type { FieldStage } from './ray-stages.ts';
 import { voteOfCorners } from './vote.ts';
 import { meetVoxelPlanes } from './voxel-planes.ts';
 
-/** A piece that begins or ends so near to a face over which values may jump, in shares of a line, is on one side of it. */
-const besideFace = 1e-8;
-
 /** How stored values become data values. */
 interface Scaling {
   readonly slope: number;
@@ -29,16 +26,10 @@ export function cartesianField({
   readonly isDiscrete?: boolean;
   readonly finer?: FinerVoxels;
 }): FieldStage {
-  const kinksAlong = (from: Vector3, to: Vector3): number[] => {
-    const planes = finer?.grid.dimensions ?? dimensions;
-    const kinks = meetVoxelPlanes(
-      inVoxels(planes, from),
-      subtract(inVoxels(planes, to), inVoxels(planes, from)),
-      planes,
-    );
-    if (!finer) return kinks;
-    const faces = finer.facesAlong(from, to).flatMap((share) => [share - besideFace, share + besideFace]);
-    return [...kinks, ...faces.filter((share) => share > 0 && share < 1)].sort((a, b) => a - b);
+  const kinksAlong = (from: Vector3, to: Vector3): readonly number[] => {
+    if (finer) return finer.kinksAlong(from, to);
+    const begin = inVoxels(dimensions, from);
+    return meetVoxelPlanes(begin, subtract(inVoxels(dimensions, to), begin), dimensions);
   };
   if (isDiscrete)
     return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };

@@ -97,7 +97,8 @@ describe('bricks that are there', () => {
     const { finer } = cutIntoBricks(whole, 3).volume;
     const all = [...finer.bricks];
     for (const brick of all) finer.remove(brick);
-    for (const brick of all.reverse()) {
+    all.reverse();
+    for (const brick of all) {
       const read = readBrick(pyramid, brick);
       read.samples.forEach((_, n) => (read.samples[n] = isInHalo(n) ? 255 : read.samples[n]));
       finer.add(brick, read);
