@@ -13,7 +13,7 @@ interface BrickWithHalo extends Brick {
   readonly samples: Samples;
 }
 
-/** What is there. */
+/** The bricks, and the volume over which they lie. */
 export interface HaloSources {
   readonly volume: Pick<VolumeData, 'grid' | 'samples'>;
   readonly layout: BrickLayout;

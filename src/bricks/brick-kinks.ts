@@ -7,7 +7,7 @@ import type { BrickLayout } from './brick-layout.ts';
 /** A piece that begins or ends so near to a face between bricks, in shares of a line, is on one side of it. */
 const faceSlack = 1e-8;
 
-/** What is there. */
+/** The bricks, and the volume over which they lie. */
 interface ShownBricks {
   readonly layout: BrickLayout;
   /** Of the finest level of which something is there. */

@@ -26,7 +26,7 @@ const mostProbes = 64;
 /** Voxels from one place that is measured to the next, along each axis. */
 const stride = 3;
 
-/** Between the middles of the outermost voxels, a brick alone says what is there. */
+/** Between the middles of the outermost voxels, a brick alone says the values. */
 const [firstMiddle, lastMiddle] = [brickHalo + 0.5, brickHalo + brickSide - 0.5];
 
 /** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
