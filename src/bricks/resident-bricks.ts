@@ -1,4 +1,3 @@
-import { atOnce } from '../core/waiting.ts';
 import type { Waiting } from '../core/waiting.ts';
 import { interpolate } from '../optics/rays/interpolate.ts';
 import type { BrickedValues, FinerVoxels, PlaneVoxels } from '../volume/finer-voxels.ts';
@@ -127,7 +126,7 @@ export class ResidentBricks implements FinerVoxels {
 
   current<V extends BrickedValues>(volume: V): V {
     // While more bricks come, who asks for them settles what has come.
-    if (!this.moving) atOnce(this.settle());
+    if (!this.moving) this.#settleAtOnce();
     const shown: ShownBricks = (first, last, meet) =>
       this.pages.visit(first, last, (page) => meet(this.#bySlot[page - 1]));
     if (this.#cells.update(shown, this.#level)) this.#cellChanges++;
@@ -139,6 +138,11 @@ export class ResidentBricks implements FinerVoxels {
         now: { ...volume, macrocells: this.macrocells, range: this.#widenRange(volume) },
       };
     return this.#current.now as V;
+  }
+
+  #settleAtOnce(): void {
+    const work = this.settle();
+    while (!work.next().done) continue;
   }
 
   #widenRange({ range, slope, intercept }: BrickedValues): BrickedValues['range'] {

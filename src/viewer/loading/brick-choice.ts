@@ -6,6 +6,7 @@ import { keyOfBrick } from '../../bricks/resident-bricks.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import type { ResidentDetail } from '../../bricks/resident-detail.ts';
 import type { Waiting } from '../../core/waiting.ts';
+import type { ErrorPart } from '../../quality/error-estimate.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { estimateBricks } from './brick-estimate.ts';
 import type { BrickEstimate } from './brick-estimate.ts';
@@ -27,6 +28,9 @@ const [mostExchanges, leastGain] = [3, 0.03];
 /** Bricks that are so many levels finer than what counts may stay: a view that turns may need them again. */
 const levelsToSpare = 1;
 
+/** Estimates of the same bricks, by other rays each, of which the mean counts: a single ray may hold most of an error. At least two, unless the first is below this share of what is allowed. */
+const [mostLooks, clearly] = [3, 0.5];
+
 /** Bricks that are looked at before the estimate is relied on. */
 const mostDoubts = 6;
 
@@ -44,6 +48,10 @@ export interface PictureWish {
 }
 
 export interface ChosenBricks {
+  /** What is left, by all estimates of these bricks. */
+  readonly error: ErrorPart;
+  /** Whether the same bricks have to be looked at by other rays before the picture is final. */
+  readonly again: boolean;
   /** Bricks to look at, after which the estimate is made again. */
   readonly probes: readonly Brick[];
   /** Bricks to ask for, by falling gain a byte; none where the picture has enough. */
@@ -58,6 +66,8 @@ export interface ChosenBricks {
 export class BrickChoice {
   /** How often bricks of a picture took the place of others for little, and the smallest error that there was in this room. */
   #exchanged = { key: '', slots: 0, times: 0, error: Infinity };
+  /** The squares of the last estimates of the same bricks; in a full room, of those that take each other's place. */
+  #looks: { readonly of: string; squares: readonly number[] } = { of: '', squares: [] };
   /** The picture for which what was in doubt has been looked at. */
   #sureOf = '';
   /** How often a picture was looked at. */
@@ -77,20 +87,31 @@ export class BrickChoice {
     return estimateBricks({ volume, bricks: this.bricks, detail: this.detail }, picture, { turn, steepCode });
   }
 
-  choose({ error: { rms }, gains, probes, finest, energy }: BrickEstimate, wish: PictureWish): ChosenBricks {
+  choose(
+    { error: { rms: last, p99, max }, gains, probes, finest, energy }: BrickEstimate,
+    wish: PictureWish,
+  ): ChosenBricks {
     const { key, maxError, slots, isAsking } = wish;
     if (key !== this.#exchanged.key || slots !== this.#exchanged.slots)
       this.#exchanged = { key, slots, times: 0, error: Infinity };
     const isFull = this.bricks.count >= slots;
-    const isBetter = rms < (1 - leastGain) * this.#exchanged.error;
-    if (isBetter) this.#exchanged.error = rms;
-    const isEnough = rms <= shareOfBricks * maxError || (isFull && this.#exchanged.times >= mostExchanges);
+    const looks = this.#look(`${key} ${isFull ? `in ${slots}` : this.bricks.changes}`, last);
+    const rms = Math.sqrt(looks.reduce((sum, square) => sum + square, 0) / looks.length);
+    const isBetter = last < (1 - leastGain) * this.#exchanged.error;
+    if (isBetter) this.#exchanged.error = last;
+    const limit = shareOfBricks * maxError;
+    const isEnough = rms <= limit || (isFull && this.#exchanged.times >= mostExchanges);
     const count = Math.min(mostTurn, Math.max(leastTurn, Math.ceil(shareOfTurn * this.bricks.count)));
-    const needed = (1 - ((shareOfGoal * maxError) / rms) ** 2) * energy;
+    const needed = (1 - ((shareOfGoal * maxError) / last) ** 2) * energy;
     const doubts = this.#doubt(gains, isEnough && !isAsking ? key : '');
+    // Who has what the writer says need not look.
+    const unknown = isAsking ? [] : [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick));
+    // More will be known then.
+    if (unknown.length > 0) this.#looks = { of: '', squares: [] };
     return {
-      // Who has what the writer says need not look.
-      probes: isAsking ? [] : [...probes, ...doubts].filter((brick) => !this.#isUnreadable(brick)),
+      error: { rms, p99, max },
+      again: isEnough && looks.length < 2 && rms > clearly * limit && unknown.length === 0 && !isAsking,
+      probes: unknown,
       missing: isEnough
         ? []
         : untilEnough(
@@ -100,6 +121,13 @@ export class BrickChoice {
       tooFine: [...this.bricks.bricks].filter(({ level }) => level < finest - levelsToSpare),
       isExchange: isFull && !isBetter,
     };
+  }
+
+  /** @returns the squares of the last estimates of the same bricks */
+  #look(of: string, rms: number): readonly number[] {
+    const before = this.#looks.of === of ? this.#looks.squares : [];
+    this.#looks = { of, squares: [...before, rms ** 2].slice(-mostLooks) };
+    return this.#looks.squares;
   }
 
   /** What was chosen has come, and took the place of others. */

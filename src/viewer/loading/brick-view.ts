@@ -322,7 +322,6 @@ export class BrickView implements ViewPart, KeptBricks {
       const found = work && (await inPieces(work, () => !life.aborted));
       if (life.aborted) return;
       if (found) {
-        bricks.error = found.error;
         const chosen = this.#choice.choose(found, {
           key: picture.key,
           maxError: this.parts.view.settings.quality.value?.maxError ?? 1,
@@ -331,6 +330,7 @@ export class BrickView implements ViewPart, KeptBricks {
           isRefused: (brick) => loading.isRefused(brick),
         });
         ({ isExchange } = chosen);
+        bricks.error = chosen.error;
         loading.drop(chosen.tooFine);
         loading.want({ missing: chosen.missing, worth: (brick) => found.gains.worth(brick) / bricks.bytesOfBrick });
         if (chosen.probes.length > 0) {
@@ -338,6 +338,7 @@ export class BrickView implements ViewPart, KeptBricks {
           continue;
         }
         this.#detail.forgetProbes();
+        if (chosen.again) continue;
       }
       const isOver = loading.requests === 0 && !isAsking;
       if (picture && isOver && this.#picture === picture && this.#changes === changes) this.#rest();

@@ -22,22 +22,27 @@ function makeChoice() {
   const detail = new ResidentDetail(bricks.volume, bricks);
   const choice = new BrickChoice(bricks, detail);
   const wish: PictureWish = { key: 'a', maxError: 2, slots: 100, isAsking: false, isRefused: () => false };
-  /** Cells 0 to 19 bring something, the first most. */
-  const choose = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = [], finest = 0): ChosenBricks => {
+  /** Looks at the same bricks as before. Cells 0 to 19 bring something, the first most. */
+  const look = (rms: number, more: Partial<PictureWish> = {}, probes: Brick[] = [], finest = 0): ChosenBricks => {
     const gains = new BrickGains(bricks);
     for (let cell = 0; cell < 20; cell++) gains.gain(cell, 0, 100 - cell);
     const estimate = { probes, gains, finest, energy: 2000, error: { rms, p99: rms, max: null } };
     return choice.choose(estimate, { ...wish, ...more });
   };
-  const look = (brick: Brick): void => detail.measure(brick, readBrick(pyramid, brick), true);
-  return { bricks, choice, choose, look, add: (brick: Brick) => bricks.add(brick, readBrick(pyramid, brick)) };
+  /** Looks at others. */
+  const choose: typeof look = (...given) => {
+    bricks.changes++;
+    return look(...given);
+  };
+  const measure = (brick: Brick): void => detail.measure(brick, readBrick(pyramid, brick), true);
+  return { bricks, choice, choose, look, measure, add: (brick: Brick) => bricks.add(brick, readBrick(pyramid, brick)) };
 }
 
 const keysOf = (bricks: readonly Brick[]): string[] => bricks.map(keyOfBrick);
 
 describe('What a view in bricks asks for next', () => {
   it('is what brings most, until the error is small enough; then what is in doubt is looked at, once', () => {
-    const { choose, look } = makeChoice();
+    const { choose, measure } = makeChoice();
     const first = choose(5);
     expect(first.probes).to.deep.equal([]);
     expect(keysOf(first.missing.map(({ brick }) => brick)).slice(0, 3)).to.deep.equal([
@@ -48,12 +53,27 @@ describe('What a view in bricks asks for next', () => {
     const enough = choose(1.5);
     expect(enough.missing).to.deep.equal([]);
     expect(keysOf(enough.probes)).to.deep.equal(['0/0/0/0', '0/1/0/0', '0/2/0/0', '0/3/0/0', '0/0/1/0', '0/1/1/0']);
-    for (const brick of enough.probes) look(brick);
+    for (const brick of enough.probes) measure(brick);
     expect(choose(1.5).probes).to.deep.equal([]);
     // More was needed after all: then others are looked at. Steps have a share of the error.
     expect(choose(1.7).missing).to.have.length.above(0);
     expect(keysOf(choose(1.5).probes)[0]).to.equal('0/2/1/0');
     expect(choose(1.5, { key: 'b' }).probes).to.have.lengthOf(6);
+  });
+
+  it('is nothing once two sets of rays together say that the error is small enough; the mean of the last three is stated', () => {
+    const { choose, look } = makeChoice();
+    choose(1.5); // After this, nothing is in doubt.
+    const first = choose(1.5);
+    expect([first.again, first.missing.length, first.error.rms]).to.deep.equal([true, 0, 1.5]);
+    const second = look(1.3);
+    expect([second.again, second.missing.length]).to.deep.equal([false, 0]);
+    expect(second.error.rms).to.be.closeTo(Math.sqrt((1.5 ** 2 + 1.3 ** 2) / 2), 1e-12);
+    // A ray that holds much: more is asked for.
+    expect(look(5).missing).to.have.length.above(0);
+    expect(look(0).error.rms).to.be.closeTo(Math.sqrt((1.3 ** 2 + 5 ** 2) / 3), 1e-12);
+    expect(choose(0.7).again, 'clearly').to.equal(false);
+    expect(choose(1.5, { key: 'other' }).error.rms, 'of another picture').to.equal(1.5);
   });
 
   it('is no more than brings enough together, but as many as a turn has at least', () => {
