@@ -209,11 +209,12 @@ export class ResidentBricks implements FinerVoxels {
     this.#change(brick, (before, first, last) => (before === slot + 1 ? this.#coarser(first, last, level) : before));
   }
 
-  /** Whether the halo of a brick that is there has all voxels of its level, whatever has come or gone since. */
+  /** Whether the halo of a brick that is there has all voxels of its level: all neighbours are there, and none has come since halos were filled. */
   isComplete(brick: Brick): boolean {
+    const box = cellsOfBrick(this.layout, brick.level, brick.at);
     return (
-      this.#changed.length === 0 &&
-      waysToNeighbours.every((way) => this.get(neighbourOf(this.layout, brick, way)) !== undefined)
+      waysToNeighbours.every((way) => this.get(neighbourOf(this.layout, brick, way)) !== undefined) &&
+      !this.#changed.some((one) => touches(box, one.box))
     );
   }
 

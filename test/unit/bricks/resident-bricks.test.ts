@@ -115,12 +115,18 @@ describe('bricks that are there', () => {
   });
 
   it('are complete where all of their neighbours are there', () => {
-    const { volume } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2);
+    const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2);
     const { finer } = volume;
     // Of 3 x 3 x 2 bricks.
     expect([0, 1].map((i) => finer.isComplete({ level: 0, at: [i, 1, 0] }))).to.deep.equal([true, false]);
-    finer.remove({ level: 0, at: [1, 2, 1] });
-    expect(finer.isComplete({ level: 0, at: [0, 0, 0] }), 'not before the halos are filled').to.equal(false);
+    const gone = { level: 0, at: [1, 2, 1] as const };
+    finer.remove(gone);
+    expect(finer.isComplete({ level: 0, at: [0, 0, 0] }), 'far from what has changed').to.equal(true);
+    finer.add(gone, readBrick(pyramid, gone));
+    expect(finer.isComplete({ level: 0, at: [0, 1, 0] }), 'not before the halos are filled').to.equal(false);
+    finer.current(volume);
+    expect(finer.isComplete({ level: 0, at: [0, 1, 0] })).to.equal(true);
+    finer.remove(gone);
     finer.current(volume);
     expect(finer.isComplete({ level: 0, at: [0, 1, 0] }), 'over a corner').to.equal(false);
     expect(finer.isComplete({ level: 0, at: [0, 0, 0] })).to.equal(true);
