@@ -22,7 +22,7 @@ const span = blockSide + 2 * brickHalo;
 
 /** @param samples - of a brick with its halo, see `BrickSamples` */
 export function measureBlocks(samples: Samples): BlockRanges {
-  // First of the voxels of each block along x.
+  // Of each line along x, by block: what its voxels in that block have. Then the lines of each block.
   const [low, high, roughness] = [0, 1, 2].map(() => new Float32Array(blocksAlong * slotSide ** 2));
   const rough = new Float32Array(slotSide);
   for (let line = 0, to = 0; line < slotSide ** 2; line++) {

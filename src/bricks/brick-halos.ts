@@ -58,7 +58,7 @@ interface AxisPlaces {
  */
 export function fillHalo(sources: HaloSources, brick: BrickWithHalo): boolean {
   const axes = [0, 1, 2].map((axis) => placesAlong(sources, brick, axis));
-  const shownAt = samplerOf(sources, axes);
+  const shownAt = samplerOf(sources, brick.level, axes);
   const { samples } = brick;
   const slot: SlotPlace = [0, 0, 0];
   const isWhole = !(samples instanceof Float32Array);
@@ -115,9 +115,13 @@ function voxelOf({ at, samples }: BrickWithHalo, axes: readonly AxisPlaces[], sl
   return samples[index];
 }
 
-/** The value that is shown at the middle of a voxel, as `ResidentBricks.storedAt`. */
+/**
+ * The value that is shown at the middle of a voxel of a level, as `ResidentBricks.storedAt`, but with nothing of halos that may depend on this one: where levels lie up to half a
+ * voxel away from each other, a finer brick, or the brick itself, may be shown a little outside of its voxels.
+ */
 function samplerOf(
   { pages, inSlot, volume, layout }: HaloSources,
+  level: number,
   axes: readonly AxisPlaces[],
 ): (slot: SlotPlace) => number {
   const [x, y, z] = axes;
@@ -128,7 +132,12 @@ function samplerOf(
     const brick = inSlot(pages.at(x.cells[slot[0]], y.cells[slot[1]], z.cells[slot[2]]) - 1);
     for (let axis = 0; axis < 3; axis++) {
       const middle = axes[axis].places[brick?.level ?? ofVolume][slot[axis]] + 0.5;
-      place[axis] = brick ? (middle - brickSide * brick.at[axis] + brickHalo) / slotSide : middle / dimensions[axis];
+      if (!brick) place[axis] = middle / dimensions[axis];
+      else {
+        const own = middle - brickSide * brick.at[axis];
+        const inside = brick.level <= level ? Math.min(brickSide - 0.5, Math.max(0.5, own)) : own;
+        place[axis] = (inside + brickHalo) / slotSide;
+      }
     }
     return brick ? interpolate(brick.samples, slotDimensions, place) : interpolate(volume.samples, dimensions, place);
   };

@@ -11,6 +11,8 @@ import { BrickCells } from './brick-cells.ts';
 import type { MeasuredBrick, ShownBricks } from './brick-cells.ts';
 import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
+import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
+import { findKinks } from './brick-kinks.ts';
 import {
   brickHalo,
   brickOfCell,
@@ -26,8 +28,6 @@ import type { AtlasShape, BrickLayout } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
-import { findKinks } from './brick-kinks.ts';
-import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
 
 /** Cells along each axis, without the last ones. */
 type CellBox = ReturnType<typeof cellsOfBrick>;
@@ -60,7 +60,7 @@ function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean 
 export class ResidentBricks implements FinerVoxels {
   /** By cell: 1 + the slot of the brick that is shown there, or 0 where it is the volume itself. */
   readonly pages: CellNumbers;
-  /** Counts bricks that come and go. */
+  /** Counts bricks that come and go, and halos that change. */
   changes = 0;
   /** Counts changes of `macrocells`, as far as `current` has seen them. */
   #cellChanges = 0;

@@ -76,7 +76,7 @@ float meetPlane(vec3 origin, vec3 forward, float at) {
 }
 
 /// Where a piece ends that begins at a place of a line: at the next plane of voxel centres of what is shown there; or shortly before or behind a face between bricks, over
-/// which values may jump. No piece is shorter than `shortest`. Twin: bricks/resident-bricks.ts, kinksAlong
+/// which values may jump. No piece is shorter than `shortest`. Twin: bricks/brick-kinks.ts
 float meetPlaneOrFace(vec3 origin, vec3 forward, float from, float shortest) {
   float at = from + shortest;
   float plane = meetPlane(origin, forward, at);
