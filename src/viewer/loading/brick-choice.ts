@@ -23,7 +23,7 @@ const shareOfBricks = 0.8;
 const shareOfGoal = 0.5;
 
 /** Where the room is full, bricks that bring more take the place of others, until this has brought the error down by less than this share so many times. */
-const [mostExchanges, leastGain] = [3, 0.03];
+const [mostExchanges, leastGain] = [2, 0.03];
 
 /** Bricks that are so many levels finer than what counts may stay: a view that turns may need them again. */
 const levelsToSpare = 1;
@@ -133,6 +133,11 @@ export class BrickChoice {
   /** What was chosen has come, and took the place of others. */
   hasExchanged(): void {
     this.#exchanged.times++;
+  }
+
+  /** The room is full, and nothing that is missing brings enough to take a place. */
+  endExchanges(): void {
+    this.#exchanged.times = mostExchanges;
   }
 
   /** A probe could not be read. */

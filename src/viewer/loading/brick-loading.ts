@@ -10,7 +10,7 @@ import type { ResidentBrick, ResidentBricks } from '../../bricks/resident-bricks
  * A brick makes room for another only if that one brings at least so many times as much a byte: else two bricks would take each other's
  * place again and again.
  */
-const worthExchange = 1.25;
+const worthExchange = 1.5;
 
 /** What loading bricks needs. */
 export interface BrickLoadingParts {

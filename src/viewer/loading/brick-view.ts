@@ -339,6 +339,11 @@ export class BrickView implements ViewPart, KeptBricks {
         }
         this.#detail.forgetProbes();
         if (chosen.again) continue;
+        const isFull = bricks.count >= this.#capacity && this.#changes === changes;
+        if (isFull && chosen.missing.length > 0 && loading.requests === 0) {
+          this.#choice.endExchanges();
+          continue;
+        }
       }
       const isOver = loading.requests === 0 && !isAsking;
       if (picture && isOver && this.#picture === picture && this.#changes === changes) this.#rest();

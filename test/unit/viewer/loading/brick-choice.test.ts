@@ -111,7 +111,7 @@ describe('What a view in bricks asks for next', () => {
     add({ level: 0, at: [1, 0, 0] });
     const full = { slots: 2 };
     expect([choose(9, full).isExchange, choose(6, full).isExchange]).to.deep.equal([false, false]);
-    for (let n = 0; n < 3; n++) {
+    for (let n = 0; n < 2; n++) {
       const { isExchange, missing } = choose(5.9, full);
       expect([isExchange, missing.length > 0]).to.deep.equal([true, true]);
       choice.hasExchanged();
@@ -119,6 +119,17 @@ describe('What a view in bricks asks for next', () => {
     expect(choose(5.9, full).missing).to.deep.equal([]);
     expect(choose(5.9, { slots: 1 }).missing).to.have.length.above(0);
     expect(choose(5.9, { ...full, key: 'b' }).missing).to.have.length.above(0);
+  });
+
+  it('ends in a full room where nothing takes a place; then also what is in doubt is looked at', () => {
+    const { choice, choose, add } = makeChoice();
+    add({ level: 0, at: [0, 0, 0] });
+    const full = { slots: 1 };
+    const before = choose(9, full);
+    expect([before.missing.length > 0, before.probes.length]).to.deep.equal([true, 0]);
+    choice.endExchanges();
+    const after = choose(9, full);
+    expect([after.missing.length, after.probes.length]).to.deep.equal([0, 6]);
   });
 });
 
