@@ -14,6 +14,8 @@ export interface ExtremeLook {
   readonly sign: 1 | -1;
   /** What a stored value looks like. */
   readonly colorOf: (value: number) => Premultiplied;
+  /** If given, the first local extreme from this value on counts: a stored value, times the sign. */
+  readonly threshold?: number;
 }
 
 /** What the estimate needs to know. */

@@ -1,9 +1,9 @@
 // What coarse bricks do to rays that show their largest value, or their smallest: how likely it is that another value is the largest one, and what that would look like.
-import { levelWithoutBrick } from './detail-field.ts';
-import { maxSteps } from './detail-scene.ts';
-import type { DetailListener, DetailRay, DetailScene, ExtremeLook, RayEstimate } from './detail-scene.ts';
-import { boxesOf, meanOfHidden, spreadAt } from './hidden-means.ts';
-import type { HiddenSpread } from './hidden-means.ts';
+import type { DetailListener, DetailScene, RayEstimate } from './detail-scene.ts';
+import { walker } from './extreme-steps.ts';
+import type { Found, Look, Spread, Step } from './extreme-steps.ts';
+import { firstFrom, weighFirst } from './first-extreme.ts';
+import { meanOfHidden, spreadAt } from './hidden-means.ts';
 import { planeFinder } from './painted-plane.ts';
 import type { PlaneMeeting } from './painted-plane.ts';
 import { sumCount } from './span-sums.ts';
@@ -11,45 +11,8 @@ import { sumCount } from './span-sums.ts';
 /** The range in which the largest value may lie is divided into so many parts. */
 const bins = 16;
 
-/** Samples that a step takes at most, where its level has several voxels in it. */
-const mostSamples = 4;
-
-/**
- * Half of what is hidden are single voxels as far off as the largest residual. So many of them does a ray meet in a voxel's length, times the square of the root mean square over
- * that residual: 4 of each, as interpolation spreads one over 2 x 2 voxels across, and (2/3)^3 of its square is left between voxels. Such a peak has more than the share t of its
- * height with the probability 1 - t + t ln t: the area in which (1 - x) (1 - y) > t.
- */
-const peaksOfVariance = (4 * 0.5) / (2 / 3) ** 3;
-
 /** Of a probability of 0, for sums. */
 const never = -30;
-
-/** What a value may be, times the sign: the largest counts. Anything within `width` of the center, or a peak up to `max` above it. */
-interface Spread {
-  readonly center: number;
-  readonly low: number;
-  readonly high: number;
-  readonly max: number;
-  readonly width: number;
-  /** How likely a peak is. */
-  readonly peaks: number;
-  /** How many such values there are in a step, independent of each other. */
-  readonly draws: number;
-}
-
-/** A step of a ray. */
-interface Step {
-  readonly cell: number;
-  readonly level: number;
-  readonly block: number;
-  readonly due: number;
-  /** What is shown there, times the sign; -Infinity for no data. */
-  readonly value: number;
-  /** What may be there; null where it is known. */
-  readonly now: Spread | null;
-  /** The same if the brick were not there. */
-  readonly without: Spread | null;
-}
 
 /** What a cell has on a ray: by edge of the bins, the logarithm of the probability that no value in it is larger. */
 interface CellChance {
@@ -58,13 +21,10 @@ interface CellChance {
   readonly without: Float64Array;
 }
 
-/** What a picture looks like where the largest value is known: four channels, on what is behind. */
-type Look = (value: number) => readonly number[];
-
 /** Twin of `estimateSeen` for `ExtremeLook`. @param isLossAsked - the level that a cell would have without its brick is looked at too */
 export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayEstimate {
   const { field, planes = [], isAway } = scene;
-  const { sign, colorOf } = scene.extreme!;
+  const { sign, colorOf, threshold } = scene.extreme!;
   const walk = walker(scene, isLossAsked);
   const meet = planeFinder(field, planes, isAway);
   return (ray, listener) => {
@@ -76,8 +36,10 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
       const color = value === -Infinity ? [0, 0, 0, 0] : colorOf(sign * value);
       return behind ? color.map((x, c) => x + (1 - color[3]) * behind.shown[c]) : color;
     };
-    const shown = steps.reduce((most, { value }) => Math.max(most, value), -Infinity);
-    const found = weigh(steps, shown, lookOf);
+    const values = steps.map(({ value }) => value);
+    const isFirst = threshold !== undefined;
+    const shown = isFirst ? firstFrom(values, threshold).value : Math.max(-Infinity, ...values);
+    const found = isFirst ? weighFirst(steps, threshold, lookOf) : weigh(steps, shown, lookOf);
     const through = behind ? 1 - (shown === -Infinity ? 0 : colorOf(sign * shown)[3]) : 0;
     const ofPlane = behind ? through ** 2 * behind.energy : 0;
     report(found, scene, listener);
@@ -86,62 +48,6 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
     if (!(found.cover > 0)) return null;
     const finest = steps.reduce((least, { due }) => Math.min(least, due), behind?.due ?? field.levels);
     return { energy: found.energy + ofPlane, cover: found.cover, finest };
-  };
-}
-
-/** Walks a ray through what is resident. */
-function walker(
-  { field, hidden, isAway, finestAt = () => 0, voxels = 1, extreme }: DetailScene,
-  isLossAsked: boolean,
-): (ray: DetailRay) => Step[] {
-  const { sign } = extreme as ExtremeLook;
-  const levelWithout = levelWithoutBrick(field, isLossAsked);
-  const spreadOf = (block: number, at: Parameters<typeof spreadAt>[2]): Spread | null => {
-    const spread = spreadAt(hidden, block, at);
-    return spread && signed(spread, sign, voxels / Math.max(1, hidden.correlation?.(at.level) ?? 1));
-  };
-  return ({ point, direction, entry, exit, dt }) => {
-    const steps: Step[] = [];
-    const count = Math.min(maxSteps, Math.ceil((exit - entry) / dt));
-    for (let n = 0; n < count; n++) {
-      const placeAt = (share: number): [number, number, number] => {
-        const t = Math.min(exit, entry + (n + share) * dt);
-        return [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
-      };
-      const middle = placeAt(0.5);
-      if (isAway?.(...middle)) continue;
-      const cell = field.cellAt(...middle);
-      const level = field.levelOf(cell);
-      const samples = Math.min(mostSamples, Math.max(1, Math.ceil(voxels / 2 ** level)));
-      let value = -Infinity;
-      for (let i = 0; i < samples; i++) {
-        const one = sign * field.valueAt(...(samples === 1 ? middle : placeAt((i + 0.5) / samples)));
-        if (one > value) value = one;
-      }
-      const due = finestAt(entry + (n + 0.5) * dt);
-      const block = hidden.blockAt(...middle);
-      const known = value === -Infinity ? NaN : sign * value;
-      const now = spreadOf(block, { value: known, due, level });
-      const other = levelWithout(cell, level);
-      const without = other === level ? now : spreadOf(block, { value: known, due, level: other });
-      if (value > -Infinity || now || without) steps.push({ cell, level, block, due, value, now, without });
-    }
-    return steps;
-  };
-}
-
-function signed({ center, rms, max, low, high }: HiddenSpread, sign: 1 | -1, draws: number): Spread {
-  const [ends, middle] = [[sign * low, sign * high], sign * center];
-  const [least, most] = [Math.min(...ends), Math.max(...ends)];
-  const [up, down] = [Math.min(max, most - middle), Math.min(max, middle - least)];
-  return {
-    center: middle,
-    low: least,
-    high: most,
-    max,
-    width: boxesOf(rms, max).width,
-    peaks: up > 0 ? Math.min(0.5, (peaksOfVariance * (rms / max) ** 2 * up) / (up + Math.max(0, down))) : 0,
-    draws,
   };
 }
 
@@ -155,14 +61,6 @@ function chanceBelow(x: number, { center, low, high, max, width, peaks, draws }:
   const beyond = peaks * (t > 0 ? 1 - t + t * Math.log(t) : 1);
   const chance = inBox(width) * (x >= center ? 1 - beyond : 1);
   return chance > 0 ? Math.max(never, draws * Math.log(chance)) : never;
-}
-
-/** What is expected of a ray. */
-interface Found {
-  readonly energy: number;
-  readonly cover: number;
-  /** By cell: the part of the energy that goes with it, and how much more it would be without its brick. */
-  readonly cells: readonly { readonly steps: readonly Step[]; readonly energy: number; readonly loss: number }[];
 }
 
 /** What is expected of a ray whose largest value is `shown`. */

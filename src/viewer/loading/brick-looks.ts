@@ -23,15 +23,17 @@ export function lightOf({ shading, surfaces, projection }: VolumeOptics, finest:
 
 /** The largest or smallest value of each ray, if that is what a picture shows: the largest opacity counts as 1, as in `classifyValue`. */
 export function extremeOf(
-  { projection, transferFunction, lightFactor }: VolumeOptics,
+  { projection, intensityThreshold, transferFunction, lightFactor }: VolumeOptics,
   { slope, intercept }: Pick<Volume, 'slope' | 'intercept'>,
 ): ExtremeLook | undefined {
   if (!projection || projection === 'average') return undefined;
   const looks = brighten(transferFunction, lightFactor);
   const largest = largestOpacity(looks);
+  // Values of a file may fall where stored ones rise.
+  const sign = (projection === 'max') === slope > 0 ? 1 : -1;
   return {
-    // Values of a file may fall where stored ones rise.
-    sign: (projection === 'max') === slope > 0 ? 1 : -1,
+    sign,
+    ...(intensityThreshold !== undefined && { threshold: (sign * (intensityThreshold - intercept)) / slope }),
     colorOf: (value) => evaluate(looks, slope * value + intercept).map((x) => x / largest) as Premultiplied,
   };
 }

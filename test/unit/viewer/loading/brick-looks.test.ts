@@ -64,6 +64,13 @@ describe('what bricks are asked for by', () => {
     expect(falling.sign).to.equal(-1);
     expect(falling.colorOf(100)).to.deep.equal([0, 0, 0, 0]);
     expect(extremeOf({ ...optics, projection: 'min' }, volume)!.sign).to.equal(-1);
+    // The first one from a value on: a stored value, times the sign.
+    const thresholdOf = (projection: 'max' | 'min', slope: number, intercept: number): number | undefined =>
+      extremeOf({ ...optics, projection, intensityThreshold: 60 }, { slope, intercept })!.threshold;
+    expect(thresholdOf('max', 2, 10)).to.equal(25);
+    expect(thresholdOf('min', 2, 10)).to.equal(-25);
+    expect(thresholdOf('max', -2, 100)).to.equal(-20);
+    expect(extremeOf({ ...optics, projection: 'max' }, volume)!.threshold).to.equal(undefined);
   });
 
   it('is what planes show: greys of a window, or the colours of what can be seen', () => {

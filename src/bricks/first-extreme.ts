@@ -1,0 +1,118 @@
+// What coarse bricks do to rays that show their first local extreme: hidden values are drawn at random, and each time it is looked where the ray would end.
+import type { Found, Look, Spread, Step } from './extreme-steps.ts';
+
+/** So often are the hidden values of a ray drawn. */
+const trials = 8;
+
+/** Values of one step that are drawn at most. */
+const mostDraws = 4;
+
+/**
+ * The first local maximum from the threshold on, or the largest of all values where none reaches it. Twin of `seekExtreme`.
+ * @param values - along a ray; -Infinity for no data
+ * @returns its place among them, -1 where there is none
+ */
+export function firstFrom(
+  values: readonly number[],
+  threshold: number,
+): { readonly value: number; readonly at: number } {
+  let [value, at] = [-Infinity, -1];
+  for (const [n, one] of values.entries()) {
+    if (value >= threshold && one < value && one > -Infinity) break;
+    if (one > value) [value, at] = [one, n];
+  }
+  return { value, at };
+}
+
+/** Where a ray ends by chance. */
+interface Ends {
+  /** The step of the end. */
+  readonly step: Step | undefined;
+  readonly value: number;
+}
+
+/** What is expected of a ray that shows its first maximum from the threshold on. The same rays give the same. */
+export function weighFirst(steps: readonly Step[], threshold: number, lookOf: Look): Found {
+  const { value: shown, at: shownAt } = firstFrom(
+    steps.map(({ value }) => value),
+    threshold,
+  );
+  const looksNow = lookOf(shown);
+  const isSeen = looksNow[3] > 0;
+  const difference = (value: number): number => lookOf(value).reduce((sum, x, c) => sum + (x - looksNow[c]) ** 2, 0);
+  const energies = new Map<number, number>();
+  const without = new Map<number, number>();
+  let [energy, cover] = [0, 0];
+  /** It is due to the step where the ray ends; or, if that is known, to the one where it seems to. */
+  const give = (into: Map<number, number>, { step, value }: Ends, hasSpread: (step: Step) => boolean): number => {
+    const share = value === shown ? 0 : difference(value) / trials;
+    const due = step && hasSpread(step) ? step : steps[shownAt];
+    if (due && share > 0) into.set(due.cell, (into.get(due.cell) ?? 0) + share);
+    return share;
+  };
+  for (let trial = 0; trial < trials; trial++) {
+    const now = draw(steps, threshold, trial, (step) => step.now);
+    energy += give(energies, now, (step) => step.now !== null);
+    cover += isSeen ? 1 / trials : lookOf(now.value)[3] / trials;
+    if (steps.every((step) => step.without === step.now)) continue;
+    give(
+      without,
+      draw(steps, threshold, trial, (step) => step.without),
+      (step) => step.without !== null,
+    );
+  }
+  const cells = new Map<number, Step[]>();
+  for (const step of steps) {
+    const own = cells.get(step.cell);
+    if (own) own.push(step);
+    else cells.set(step.cell, [step]);
+  }
+  return {
+    energy,
+    cover,
+    cells: [...cells].map(([cell, own]) => ({
+      steps: own,
+      energy: energies.get(cell) ?? 0,
+      loss: Math.max(0, (without.get(cell) ?? 0) - (energies.get(cell) ?? 0)),
+    })),
+  };
+}
+
+/** Draws the hidden values of a ray until it ends. */
+function draw(steps: readonly Step[], threshold: number, trial: number, spreadOf: (step: Step) => Spread | null): Ends {
+  const random = randomNumbers(trial + 1);
+  const kept = { box: 0, peak: 0, isPeak: false };
+  let [value, end]: [number, Step | undefined] = [-Infinity, undefined];
+  for (const step of steps) {
+    const spread = spreadOf(step);
+    const count = spread ? Math.min(mostDraws, Math.max(1, Math.round(spread.draws))) : 1;
+    for (let n = 0; n < count; n++) {
+      // Neighbours go together where a step is shorter than what is hidden.
+      if (spread && (spread.draws >= 1 || random() < spread.draws)) {
+        kept.isPeak = random() < spread.peaks;
+        kept.box = 2 * random() - 1;
+        kept.peak = random() * random();
+      }
+      const one = spread ? valueIn(spread, step.value, kept) : step.value;
+      if (value >= threshold && one < value && one > -Infinity) return { step: end, value };
+      if (one > value) [value, end] = [one, step];
+    }
+  }
+  return { step: end, value };
+}
+
+/** The share t of a peak's height is exceeded with the probability 1 - t + t ln t, as by the product of two even numbers. */
+function valueIn(
+  { low, high, center, width, max }: Spread,
+  shown: number,
+  { box, peak, isPeak }: { readonly box: number; readonly peak: number; readonly isPeak: boolean },
+): number {
+  if (shown === -Infinity && !isPeak) return -Infinity;
+  return Math.min(high, Math.max(low, center + (isPeak ? peak * max : box * width)));
+}
+
+/** Even numbers from 0 to 1. Source: Park and Miller 1988, the minimal standard generator. */
+function randomNumbers(seed: number): () => number {
+  let state = seed * 7919;
+  return () => (state = (state * 48271) % 0x7fffffff) / 0x7fffffff;
+}
