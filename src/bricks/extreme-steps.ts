@@ -1,4 +1,4 @@
-// What is known of the values along a ray that shows its largest value, or its smallest: what is there, and what may be hidden there.
+// What is known of the values along a ray that shows its largest value, or its smallest: what is shown, and what may be hidden.
 import { levelWithoutBrick } from './detail-field.ts';
 import { maxSteps } from './detail-scene.ts';
 import type { DetailRay, DetailScene, ExtremeLook } from './detail-scene.ts';
