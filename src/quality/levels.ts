@@ -1,7 +1,8 @@
 import { findDetail } from '../optics/cells/cell-detail.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
 import { allSubsteps } from '../optics/cells/substeps.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
-import type { Substeps } from '../optics/cells/substeps.ts';
+import type { StepCode, Substeps } from '../optics/cells/substeps.ts';
 import { maxAutoSteps } from './steps.ts';
 
 /** How finely the rays of a picture are sampled. */
@@ -66,12 +67,21 @@ export interface LevelCuts {
 /** The error by which the steps of a reference are cut, where the author requires none. */
 const usualError = 1;
 
+const findLong = (seen: SeenVolume, mayLose: number): Uint8Array => findDetail(seen, mayLose, true);
+
+/** From this error on, 1/255, steps may be longer than a voxel: below, there are hardly any cells that allow it. */
+const longFrom = 2;
+
 /**
  * The one place where `max-error` says how steps are cut.
  * @param oneAVoxel - as for `cutSteps`
  * @param maxError - 1/255; null where the author gives the steps: then only the values at their ends cut them
+ * @param long - for steps that are longer than a voxel; they are not cut by the values at their ends
  */
-export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelCuts {
-  const reference = (level: Level): Substeps => cutSteps(level, oneAVoxel, maxError ?? usualError);
+export function cutsOfLevels(oneAVoxel: number, maxError: number | null, long?: StepCode): LevelCuts {
+  const reference = (level: Level): Substeps => ({
+    ...cutSteps(level, oneAVoxel, maxError ?? usualError),
+    ...(long && level.substeps === 1 && (maxError ?? 0) >= longFrom ? { long, findDetail: findLong } : {}),
+  });
   return { own: maxError === null ? ({ substeps }) => ({ ...allSubsteps, max: substeps }) : reference, reference };
 }

@@ -65,6 +65,9 @@ export interface SmallResult {
   readonly levels: readonly LevelResult[];
 }
 
+/** Where `max-error` is not 1, things count that stand out by so many times as much. */
+const lostPerError = 8;
+
 /** Between neighbouring angles, degrees. */
 const turn = 1;
 
@@ -120,18 +123,25 @@ interface HowMeasured {
   readonly angles: number;
   /** Whether full rays are held against better ones. */
   readonly doubts?: boolean;
+  /** The element's; 1 if undefined. */
+  readonly maxError?: number;
   /** What is being done. */
   readonly notify?: (what: string) => void;
 }
 
 /** @param name - of a scene */
-export async function measureScene(name: string, { angles, doubts = true, notify }: HowMeasured): Promise<SmallResult> {
+export async function measureScene(
+  name: string,
+  { angles, doubts = true, maxError = 1, notify }: HowMeasured,
+): Promise<SmallResult> {
   const { view, transferFunction } = [...smallScenes, ...realScenes].find((one) => one.name === name)!;
   const shown = await show(name);
   const gl = new StudyGl();
   // The rays that it is compared with have no light, which a scan has where its page asks for nothing.
-  const attributes: Record<string, string> =
-    transferFunction === null ? { shading: 'unlit' } : { 'transfer-function': transferFunction };
+  const attributes: Record<string, string> = {
+    ...(transferFunction === null ? { shading: 'unlit' } : { 'transfer-function': transferFunction }),
+    ...(maxError !== 1 && { 'max-error': String(maxError) }),
+  };
   const element = placeElement({ src: shown.src, sight: sightOf(shown.volume, view, 0), attributes, ...view });
   const pictures: SmallPicture[] = [];
   let first: Pick<SmallResult, 'uncertain' | 'levels'> = { uncertain: { ofSteps: 0, ofFloats: 0 }, levels: [] };
@@ -147,7 +157,8 @@ export async function measureScene(name: string, { angles, doubts = true, notify
   element.remove();
   gl.forget(shown.volume);
   gl.dispose();
-  const minContrast = smallScenes.find((one) => one.name === name)?.minContrast ?? 0;
+  const own = smallScenes.find((one) => one.name === name)?.minContrast ?? 0;
+  const minContrast = own > 0 && maxError !== 1 ? Math.max(own, lostPerError * maxError) : own;
   return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, minContrast, webgl, pictures, ...first };
 }
 

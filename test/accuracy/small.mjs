@@ -1,6 +1,6 @@
 // `npm run accuracy -- small`: what is left of small things in the element's pictures at rest, whether what it says of their
 // errors is true, and whether a view has one final picture. SCENES=plate,wires takes the scenes with these words in their
-// names; ANGLES=5 so many angles of each.
+// names; ANGLES=5 so many angles of each; MAX_ERROR=4 another `max-error`, where things count that stand out by 8 times as much.
 import { formatTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { sumUpErrors, sumUpLevels, sumUpThings } from './sum-up-small.mjs';
@@ -24,14 +24,20 @@ export const run = ({ quick }) =>
       if (!words.some((word) => name.toLowerCase().includes(word))) continue;
       results.push(
         await page.evaluate(
-          async ({ from, scene, count }) => {
+          async ({ from, scene, count, maxError }) => {
             const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
             return measureScene(scene, {
               angles: count,
+              maxError,
               notify: (what) => /** @type {any} */ (window).sayProgress(what),
             });
           },
-          { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) },
+          {
+            from: module,
+            scene: name,
+            count: hasThings ? angles : Math.min(angles, realAngles),
+            maxError: Number(process.env.MAX_ERROR ?? 1),
+          },
         ),
       );
     }

@@ -1,9 +1,21 @@
 // `npm run bench -- dial`: what `max-error` and `detail` buy in time: from a turn of the camera to the picture at rest, and a frame of that picture
-// alone. The built package, scenes of `gpu`, the settings in turns. SCENES=mri,storm, SIZES=512, ERRORS=16,8,4,2,1 and REPEATS name others.
+// alone. The built package, ten scenes, the settings in turns. SCENES=mri,storm, SIZES=512, ERRORS=16,8,4,2,1 and REPEATS name others.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
-import { scenes } from './gpu-scenes.mjs';
+import { scenes as ofGpu } from './gpu-scenes.mjs';
 import { readSizes, repeats } from './knobs.mjs';
 import { median, printTable } from './table.mjs';
+
+/** Ten scenes: those of `gpu`, and four more. */
+const scenes = {
+  ...ofGpu,
+  rain: { name: 'Storm, voxels (default)', attributes: { src: '/demos/data/storm-synthetic.nii.gz' } },
+  colin: { name: 'MRI of another brain (default)', attributes: { src: '/demos/data/colin27-t1.nii.gz' } },
+  bones: { name: 'CT, fog', attributes: { src: '/demos/data/ct-phantom.nii.gz', shading: 'unlit' } },
+  velocity: {
+    name: 'Storm, velocity, lit',
+    attributes: { src: '/demos/data/storm-radar-velocity.json', shading: 'lit' },
+  },
+};
 
 const errors = (process.env.ERRORS ?? '16,8,4,2,1').split(',').map(Number);
 

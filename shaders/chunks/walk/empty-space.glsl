@@ -6,7 +6,7 @@ uniform sampler2D uEmptySpaceDistance;
 /// Add this to a cell's code to get the power of 2 of the parts into which its steps are cut, see optics/transfer/power-of-steps.ts
 uniform float uDetailPower;
 
-#ifndef BRICKS
+#ifndef LONG
 /// The distance of samples in a cell, in steps: exactly 1 / 2 to a power, of 0, 1, 2 or 3; larger powers count as 3.
 float spacingOf(float code, float power, float within) {
   power += code;

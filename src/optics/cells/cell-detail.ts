@@ -57,11 +57,26 @@ export const cellsAtOnce = 2 ** 14;
 /** Samples per voxel that a cell may need. */
 export const detailCodes = [1, 2, 4, 8] as const;
 
+/** Powers of two of the voxels in a step that is longer than one, the longest first. A macrocell has 8 along each edge. */
+const longPowers = [2, 1] as const;
+
+/**
+ * Steps are cut for ten times `max-error`, and what stands out by eight times as much has to be kept. With more than this share, other cells lose so much that more steps have to be
+ * taken everywhere.
+ */
+const [keptShare, mostByLong] = [0.8, 0.25];
+
+/**
+ * What `measureMissable` may say of a thing between two samples of a step that is longer than a voxel: the thing is no longer than the step, and counts as twice as long.
+ * @param lost - 0..1
+ */
+const sayableOf = (lost: number): number => 1 - (1 - Math.min(keptShare * lost, mostByLong)) ** 2;
+
 /** How finely a macrocell has to be sampled. */
 export interface CellDetail {
   /** One of `detailCodes`: samples for each voxel that is shown in it. */
   readonly samples: number;
-  /** The length of these voxels, where the volume's own are 1: a power of two. More only where bricks of coarser levels are shown. */
+  /** The length of these voxels, where the volume's own are 1: a power of two. More where bricks of coarser levels are shown, or where steps may be longer than a voxel. */
   readonly longer: number;
 }
 
@@ -100,8 +115,12 @@ export function measureMissable(
     // for this, but the error reports it.
     const isBent = kind === 'among' && apart > 0;
     const styled = isBent && style ? style(min, max) : unstyled;
+    // Between samples farther apart than a voxel there may be voxels without data.
+    const hasHoles = volume.hasNoData && kind === 'among' && samplesAVoxel < 1;
     const depthIn = (of: EmissionRange): number =>
-      (styled.max * of[kind](min, max, apart) + (styled.apart > 0 ? styled.apart * of.largest(min, max) : 0)) * length;
+      (styled.max * (hasHoles ? of.largest(min, max) : of[kind](min, max, apart)) +
+        (styled.apart > 0 ? styled.apart * of.largest(min, max) : 0)) *
+      length;
     const jump = isBent ? jumps.reduce((sum, depth) => sum + depth(min, max, length / samplesAVoxel), 0) : 0;
     return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(emission)) / samplesAVoxel - jump);
   };
@@ -110,10 +129,12 @@ export function measureMissable(
 /**
  * How finely each cell has to be sampled so that nothing in it is lost.
  * @param lost - how much of a thing may be lost, 0..1
+ * @param isLong - steps may be longer than a voxel
  * @returns a byte per cell, see `readCode`
  */
-export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<ArrayBuffer>> {
+export function* seekDetail(seen: SeenVolume, lost: number, isLong = false): Waiting<Uint8Array<ArrayBuffer>> {
   const missable = measureMissable(seen, 'offLine');
+  const powerOf = isLong && canBeLong(seen) ? longSteps(seen, sayableOf(lost)) : () => 0;
   const found = findsIn(seen);
   // Labels and layers may have smaller voxels.
   const longer = seen.more || seen.functions ? undefined : seen.volume.macrocells.longer;
@@ -121,6 +142,11 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
   for (let cell = 0; cell < codes.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
+    const long = powerOf(cell);
+    if (long > 0) {
+      codes[cell] = 4 * long;
+      continue;
+    }
     const power = longer?.[cell] ?? 0;
     const code = detailCodes.findIndex((samples) =>
       [true, false].some((isQuick) => missable(cell, samples / 2 ** power, isQuick) <= lost),
@@ -129,6 +155,19 @@ export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<
     codes[cell] = (code < 0 ? most : Math.min(code, most)) + 4 * power;
   }
   return codes;
+}
+
+/** Where something is met between two samples, or cells have several meanings, no step is longer than a voxel. */
+function canBeLong({ volume, more, functions, hasSurfaces, jumps, found }: SeenVolume): boolean {
+  const hasParts = more || functions || hasSurfaces || jumps?.length || found?.length;
+  return !hasParts && !volume.channels && !volume.finer;
+}
+
+/** The power of two of the voxels in a step of a cell: 0 where they are no longer than one. */
+function longSteps(seen: SeenVolume, lost: number): (cell: number) => number {
+  const missable = measureMissable(seen, 'among');
+  return (cell) =>
+    longPowers.find((power) => [true, false].some((isQuick) => missable(cell, 2 ** -power, isQuick) <= lost)) ?? 0;
 }
 
 /** The code of a cell in which rays search for opaque values: two samples per voxel. */
@@ -147,6 +186,6 @@ function findsIn({
 }
 
 /** The same without pauses. */
-export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuffer> {
-  return atOnce(seekDetail(seen, lost));
+export function findDetail(seen: SeenVolume, lost: number, isLong = false): Uint8Array<ArrayBuffer> {
+  return atOnce(seekDetail(seen, lost, isLong));
 }

@@ -9,8 +9,18 @@ export interface Substeps {
   readonly voxelsPerStep: number;
   /** How much of a thing may be lost, 0..1, see `findDetail` of optics/cells/cell-detail.ts. */
   readonly mayLose: number;
+  /** Steps may be longer than a voxel where little can be lost: the code for a ray's program that takes such steps. Absent: no step is. */
+  readonly long?: StepCode;
   /** `findDetail`. It is loaded with the code that chooses steps; earlier pictures do not need it. */
   readonly findDetail?: (seen: SeenVolume, mayLose: number) => Uint8Array;
+}
+
+/** A part of a ray's program that says how long steps are. */
+export interface StepCode {
+  readonly name: string;
+  readonly defines: Readonly<Record<string, string | number>>;
+  /** GLSL. */
+  readonly count: string;
 }
 
 /** Whether steps are cut at all. Pictures at rest cut them. */

@@ -43,9 +43,9 @@ export class SeenInLayer {
   }
 
   /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. */
-  detail({ voxelsPerStep, mayLose, findDetail }: Substeps, find: () => SeenVolume | null): Uint8Array | null {
+  detail({ max, voxelsPerStep, mayLose, findDetail }: Substeps, find: () => SeenVolume | null): Uint8Array | null {
     const seen = voxelsPerStep > 0 ? find() : null;
-    return seen && findDetail ? this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose)) : null;
+    return seen && findDetail ? this.#detail.get([seen, mayLose, max], () => findDetail(seen, mayLose)) : null;
   }
 
   /** The last result of `detail`; null before the first one. */

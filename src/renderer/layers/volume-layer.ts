@@ -7,7 +7,7 @@ import { isUsual } from '../../optics/transfer/usual-columns.ts';
 import type { SceneLights } from '../../optics/transfer/lights.ts';
 import { setUpRays } from '../../optics/rays/rays.ts';
 import type { RaySetup } from '../../optics/rays/rays.ts';
-import { isCut } from '../../optics/cells/substeps.ts';
+import { isCut, wholeSteps } from '../../optics/cells/substeps.ts';
 import type { Substeps } from '../../optics/cells/substeps.ts';
 import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
 import { isPolar } from '../../volume/volume.ts';
@@ -297,7 +297,8 @@ export class VolumeLayer {
       quadPoints &&
       modules.every(({ sparesRays }) => sparesRays) &&
       listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
-    return { webgl2, adaptive, substeps: this.plan.substeps.max > 1 && !modules.some(({ walk }) => walk), modules };
+    const { max, long } = modules.some(({ walk }) => walk) ? wholeSteps : this.plan.substeps;
+    return { webgl2, adaptive, substeps: max > 1, long, modules };
   }
 
   /** The minimum sampling of each macrocell; null if only the samples at a step's ends decide how it is cut. @param substeps - how steps are cut */
@@ -312,13 +313,13 @@ export class VolumeLayer {
 
   /** Whether rays at rest go from one plane of voxels to the next, so that the samples at a step's ends never cut it. */
   get walksVoxels(): boolean {
-    return this.#volume !== null && this.modules(false, true).some(({ walk }) => walk);
+    return !!this.#volume && this.modules(false, true).some(({ walk }) => walk);
   }
 
   /** How rays project values; null where rays show emission and absorption. @param substeps - how steps are cut */
   projection(substeps: Substeps): ProjectedRays | null {
     if (this.cutsSteps) return null;
-    const isExact = this.with({ substeps }, () => this.modules(false).some(({ walk }) => walk));
+    const isExact = this.with({ substeps }, () => this.modules(false)).some(({ walk }) => walk);
     return { isExact, hasValuesBetween: !this.#volume?.isDiscrete };
   }
 

@@ -8,6 +8,7 @@ import walk from '../../../shaders/chunks/walk/walk.glsl?raw';
 import walkSteps from '../../../shaders/chunks/walk/walk-steps.glsl?raw';
 import rayCaster from '../../../shaders/programs/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/programs/rays.vert.glsl?raw';
+import type { StepCode } from '../../optics/cells/substeps.ts';
 import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
 import { composeStage } from '../device/compose-stage.ts';
 import type { Defines, ShaderTexts } from '../device/compose-stage.ts';
@@ -38,15 +39,15 @@ export interface RayProgram {
   readonly adaptive: boolean;
   /** The samples at a step's ends may cut it into substeps; else only the cells' needs do, which costs less. */
   readonly substeps: boolean;
+  /** Where there are no substeps: for steps that are longer than a voxel. */
+  readonly long?: StepCode;
   readonly modules: readonly RayText[];
 }
 
 /** A key that is different for different programs. */
-export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram): string {
-  const keys = modules.map(({ name, defines }) =>
-    [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '),
-  );
-  return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...(substeps ? ['substeps'] : []), ...keys].join('; ');
+export function programKey({ webgl2, adaptive, substeps, long, modules }: RayProgram): string {
+  const keys = modules.map(({ name, defines }) => [name, defines]);
+  return JSON.stringify([webgl2, adaptive, substeps ? 'substeps' : long?.name, keys]);
 }
 
 /**
@@ -55,8 +56,10 @@ export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram):
  */
 export function composeRay(program: RayProgram): ShaderTexts {
   checkModules(program);
-  const { webgl2, substeps, modules } = program;
-  const cutting = substeps ? substepPart() : null;
+  const { webgl2, substeps, long, modules } = program;
+  const cutting: (Pick<StepCode, 'count' | 'defines'> & { readonly walk?: string }) | undefined = substeps
+    ? substepPart()
+    : long;
   const defines = Object.assign(
     { MAX_SAMPLES: maxSteps * maxSubsteps },
     cutting?.defines,
@@ -69,7 +72,7 @@ export function composeRay(program: RayProgram): ShaderTexts {
     interval,
     ray,
     segment,
-    ...(cutting ? [cutting.count] : []),
+    cutting?.count ?? '',
     ...chunksOf('classify'),
     ...chunksOf('shade'),
     shadeChain(of('shade')),

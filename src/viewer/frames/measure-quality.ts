@@ -80,21 +80,24 @@ export async function aside<T>(
 const onePixel: PixelLattice = { stride: 1, first: [0, 0], width: 1, height: 1 };
 
 /** For which visible volume, and which loss, the present detail of a scene's cells was found. */
-const detailed = new WeakMap<Scene, { readonly seen: SeenVolume; readonly mayLose: number }>();
+const detailed = new WeakMap<
+  Scene,
+  { readonly seen: SeenVolume; readonly mayLose: number; readonly long: Substeps['long'] }
+>();
 
 /**
  * Find how finely the cells of a scene must be sampled, with pauses: without this, the next picture would do it in one go.
  * @param warmUp - lets the GPU compile the probe's program meanwhile
  */
 function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<void> {
-  const { findDetail, mayLose } = cut;
+  const { findDetail, mayLose, long } = cut;
   const seen = findDetail ? scene.whatIsSeen() : null;
   const known = detailed.get(scene);
-  if (!seen || (known?.seen === seen && known.mayLose === mayLose)) return;
+  if (!seen || (known?.seen === seen && known.mayLose === mayLose && known.long === long)) return;
   warmUp();
-  const codes = yield* seekDetail(seen, mayLose);
+  const codes = yield* seekDetail(seen, mayLose, !!long);
   scene.detail({ ...cut, findDetail: () => codes });
-  detailed.set(scene, { seen, mayLose });
+  detailed.set(scene, { seen, mayLose, long });
 }
 
 /** The number of a picture's pixels that show something. */

@@ -124,10 +124,7 @@ export class QualityControl {
     const oneAVoxel = autoSteps(grid);
     const level: ChosenSteps = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells influence the sampling as soon as the code that chooses steps is loaded: before that, no picture at rest is drawn.
-    const substeps = this.#tools?.cutsOfLevels(voxelsAlong(grid), maxError).own(level) ?? {
-      ...allSubsteps,
-      max: level.substeps,
-    };
+    const substeps = this.#tools?.cutsOfLevels(voxelsAlong(grid), maxError).own(level) ?? wholeSteps;
     return { scale: 1, steps: level.steps, substeps, sampling: allRays, ...level.free };
   }
 

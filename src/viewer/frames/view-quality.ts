@@ -4,9 +4,10 @@ import { forecastSampling } from '../../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../../quality/choose-level.ts';
 import type { ErrorEstimate } from '../../quality/error-estimate.ts';
 import { boundProjected, seekMissed, stateError } from '../../quality/largest-error.ts';
-import { cutsOfLevels, listLevels } from '../../quality/levels.ts';
+import { cutsOfLevels as cutsBy, listLevels } from '../../quality/levels.ts';
 import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { ErrorModel } from '../../quality/frame-quality.ts';
+import { longSteps } from '../../renderer/ray/long-steps.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../../quality/steps.ts';
 import { loadPart } from '../../core/load-part.ts';
 import type { AskedQuality, ChosenLevel, QualityFinding } from './chosen-level.ts';
@@ -18,7 +19,6 @@ import { measuringTools } from './measuring-tools.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { faint } from '../../quality/error-estimate.ts';
-export { cutsOfLevels } from '../../quality/levels.ts';
 export { chooseFrameQuality } from '../../quality/choose-frame-quality.ts';
 export { SteadyTime } from '../../quality/steady-time.ts';
 export { loadSubsteps } from './provide-sampling.ts';
@@ -35,6 +35,11 @@ const missed = new WeakMap<
   SeenVolume,
   { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }
 >();
+
+/** How steps are cut in the pictures of a view, see quality/levels.ts. */
+export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelCuts {
+  return cutsBy(oneAVoxel, maxError, longSteps);
+}
 
 /** The error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);

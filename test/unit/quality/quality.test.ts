@@ -249,6 +249,16 @@ describe('steps', () => {
     expect(auto.own(level)).to.deep.equal(cutSteps(level, 100, 4));
     expect(auto.reference(level)).to.deep.equal(auto.own(level));
     expect(cutsOfLevels(100, 0.5).own(level).mayLose).to.be.below(auto.own(level).mayLose);
+    // Steps longer than a voxel: from an error of 2 on, and where the values at their ends do not cut them.
+    const long = { name: 'long', defines: {}, count: '' };
+    const takesLong = (maxError: number | null, substeps: number): boolean =>
+      cutsOfLevels(100, maxError, long).own({ steps: 100, substeps }).long === long;
+    expect([takesLong(2, 1), takesLong(1.9, 1), takesLong(8, 8), takesLong(null, 1)]).to.deep.equal([
+      true,
+      false,
+      false,
+      false,
+    ]);
     const few = { steps: 50, substeps: 1 };
     expect(powerOfSteps(cutNowhere.own(few).voxelsPerStep) + 3, 'the power of the finest code').to.be.below(0);
     expect(cutNowhere.own(few).findDetail, 'cells whose detail is needed').to.equal(undefined);

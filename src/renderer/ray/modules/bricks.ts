@@ -20,7 +20,7 @@ export function bricksText(options: Omit<CartesianOptions, 'texture3d'>): RayTex
   return {
     ...whole,
     name: 'bricks',
-    defines: { ...whole.defines, BRICKS: 1 },
+    defines: { ...whole.defines, BRICKS: 1, LONG: 1 },
     chunks: whole.chunks.map((chunk) => (chunk === volume3d ? bricks3d : chunk)),
     samplers: [...whole.samplers, 'uBrickPages'],
   };
