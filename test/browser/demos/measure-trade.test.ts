@@ -22,7 +22,9 @@ describe('what the page of error against time measures', () => {
     expect(Math.min(...printed), 'the paper’s colours are of 8 bits').to.be.above(2);
     expect(Math.max(...plain)).to.be.above(5);
     expect(Math.min(...plain)).to.be.below(1);
-    expect(Math.max(...keep)).to.be.below(1.5);
+    // With `max-error` 1 and 8, in the order of their times.
+    expect(Math.min(...keep)).to.be.below(1.5);
+    expect(Math.max(...keep)).to.be.below(4);
     expect(Math.max(...free)).to.be.below(12);
     expect(shares.at(-1)).to.equal(1);
     expect(container.getAttribute('aria-label')).to.contain('volume-view, detail="free": ');
