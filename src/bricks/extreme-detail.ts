@@ -2,7 +2,7 @@
 import type { DetailListener, DetailScene, RayEstimate } from './detail-scene.ts';
 import { walker } from './extreme-steps.ts';
 import type { Found, Look, Spread, Step } from './extreme-steps.ts';
-import { firstFrom, weighFirst } from './first-extreme.ts';
+import { firstShown, weighFirst } from './first-extreme.ts';
 import { meanOfHidden, spreadAt } from './hidden-means.ts';
 import { planeFinder } from './painted-plane.ts';
 import type { PlaneMeeting } from './painted-plane.ts';
@@ -36,10 +36,9 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
       const color = value === -Infinity ? [0, 0, 0, 0] : colorOf(sign * value);
       return behind ? color.map((x, c) => x + (1 - color[3]) * behind.shown[c]) : color;
     };
-    const values = steps.map(({ value }) => value);
-    const isFirst = threshold !== undefined;
-    const shown = isFirst ? firstFrom(values, threshold).value : Math.max(-Infinity, ...values);
-    const found = isFirst ? weighFirst(steps, threshold, lookOf) : weigh(steps, shown, lookOf);
+    const first = threshold === undefined ? null : firstShown(steps, threshold);
+    const shown = first ? first.value : steps.reduce((most, { value }) => Math.max(most, value), -Infinity);
+    const found = first ? weighFirst(steps, threshold!, first, lookOf) : weigh(steps, shown, lookOf);
     const through = behind ? 1 - (shown === -Infinity ? 0 : colorOf(sign * shown)[3]) : 0;
     const ofPlane = behind ? through ** 2 * behind.energy : 0;
     report(found, scene, listener);

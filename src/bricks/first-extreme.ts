@@ -7,46 +7,47 @@ const trials = 8;
 /** Values of one step that are drawn at most. */
 const mostDraws = 4;
 
-/**
- * The first local maximum from the threshold on, or the largest of all values where none reaches it. Twin of `seekExtreme`.
- * @param values - along a ray; -Infinity for no data
- * @returns its place among them, -1 where there is none
- */
-export function firstFrom(
-  values: readonly number[],
-  threshold: number,
-): { readonly value: number; readonly at: number } {
-  let [value, at] = [-Infinity, -1];
-  for (const [n, one] of values.entries()) {
-    if (value >= threshold && one < value && one > -Infinity) break;
-    if (one > value) [value, at] = [one, n];
-  }
-  return { value, at };
-}
-
-/** Where a ray ends by chance. */
-interface Ends {
-  /** The step of the end. */
-  readonly step: Step | undefined;
+/** Where a ray ends. */
+export interface RayEnd {
   readonly value: number;
+  /** Undefined where it met no data. */
+  readonly step: Step | undefined;
 }
 
-/** What is expected of a ray that shows its first maximum from the threshold on. The same rays give the same. */
-export function weighFirst(steps: readonly Step[], threshold: number, lookOf: Look): Found {
-  const { value: shown, at: shownAt } = firstFrom(
-    steps.map(({ value }) => value),
-    threshold,
-  );
-  const looksNow = lookOf(shown);
+/** Looks for the first local maximum from a value on, or the largest of all where none reaches it. Twin of `seekExtreme`. */
+class EndFinder implements RayEnd {
+  value = -Infinity;
+  step: Step | undefined = undefined;
+
+  constructor(readonly threshold: number) {}
+
+  /** @returns whether the ray has ended before this value; -Infinity for no data */
+  meet(value: number, step: Step): boolean {
+    if (this.value >= this.threshold && value < this.value && value > -Infinity) return true;
+    if (value > this.value) [this.value, this.step] = [value, step];
+    return false;
+  }
+}
+
+/** Where a ray ends by what is shown. */
+export function firstShown(steps: readonly Step[], threshold: number): RayEnd {
+  const end = new EndFinder(threshold);
+  steps.some((step) => end.meet(step.value, step));
+  return end;
+}
+
+/** What is expected of a ray that shows its first maximum from the threshold on. The same rays give the same. @param shown - from `firstShown` */
+export function weighFirst(steps: readonly Step[], threshold: number, shown: RayEnd, lookOf: Look): Found {
+  const looksNow = lookOf(shown.value);
   const isSeen = looksNow[3] > 0;
   const difference = (value: number): number => lookOf(value).reduce((sum, x, c) => sum + (x - looksNow[c]) ** 2, 0);
   const energies = new Map<number, number>();
   const without = new Map<number, number>();
   let [energy, cover] = [0, 0];
   /** It is due to the step where the ray ends; or, if that is known, to the one where it seems to. */
-  const give = (into: Map<number, number>, { step, value }: Ends, hasSpread: (step: Step) => boolean): number => {
-    const share = value === shown ? 0 : difference(value) / trials;
-    const due = step && hasSpread(step) ? step : steps[shownAt];
+  const give = (into: Map<number, number>, { step, value }: RayEnd, hasSpread: (step: Step) => boolean): number => {
+    const share = value === shown.value ? 0 : difference(value) / trials;
+    const due = step && hasSpread(step) ? step : shown.step;
     if (due && share > 0) into.set(due.cell, (into.get(due.cell) ?? 0) + share);
     return share;
   };
@@ -79,10 +80,15 @@ export function weighFirst(steps: readonly Step[], threshold: number, lookOf: Lo
 }
 
 /** Draws the hidden values of a ray until it ends. */
-function draw(steps: readonly Step[], threshold: number, trial: number, spreadOf: (step: Step) => Spread | null): Ends {
+function draw(
+  steps: readonly Step[],
+  threshold: number,
+  trial: number,
+  spreadOf: (step: Step) => Spread | null,
+): RayEnd {
   const random = randomNumbers(trial + 1);
   const kept = { box: 0, peak: 0, isPeak: false };
-  let [value, end]: [number, Step | undefined] = [-Infinity, undefined];
+  const end = new EndFinder(threshold);
   for (const step of steps) {
     const spread = spreadOf(step);
     const count = spread ? Math.min(mostDraws, Math.max(1, Math.round(spread.draws))) : 1;
@@ -94,11 +100,10 @@ function draw(steps: readonly Step[], threshold: number, trial: number, spreadOf
         kept.peak = random() * random();
       }
       const one = spread ? valueIn(spread, step.value, kept) : step.value;
-      if (value >= threshold && one < value && one > -Infinity) return { step: end, value };
-      if (one > value) [value, end] = [one, step];
+      if (end.meet(one, step)) return end;
     }
   }
-  return { step: end, value };
+  return end;
 }
 
 /** The share t of a peak's height is exceeded with the probability 1 - t + t ln t, as by the product of two even numbers. */
