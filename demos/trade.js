@@ -93,9 +93,10 @@ function showChoice() {
   slider.setAttribute('aria-valuetext', `${number.format(error)} of 255`);
   view.setAttribute('max-error', error);
   view.setAttribute('detail', chosen('detail'));
-  const { src } = scenes[chosen('scene')];
-  document.querySelector('#tag').textContent =
-    `<volume-view src="${src}"\n             max-error="${number.format(error)}" detail="${chosen('detail')}"></volume-view>`;
+  // All that makes the picture, so that the tag shows the same one in another page.
+  const attributes = { ...scenes[chosen('scene')], 'max-error': number.format(error), detail: chosen('detail') };
+  const written = Object.entries(attributes).map(([name, value]) => `${name}="${value}"`);
+  document.querySelector('#tag').textContent = `<volume-view ${written.join('\n             ')}></volume-view>`;
   void compare();
 }
 
