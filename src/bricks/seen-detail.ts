@@ -10,6 +10,7 @@ import { planeFinder } from './painted-plane.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
 import { addStyled, anyChange } from './steep-looks.ts';
+import type { AddedChange } from './steep-looks.ts';
 
 /** A ray whose transmittance is below this shows nothing that comes behind. */
 const opaque = 1e-3;
@@ -110,17 +111,27 @@ export function estimateSeen(
     isSteep[n] = 1;
     return threeOf(changes, n);
   };
-  /** What values show that change so. @param see - adds what they show by sums */
+  /** Adds what values show that change by any of these. @param see - what they show by sums, before styles */
   const addSteep = (
     n: number,
-    change: Vector3,
-    { weight, see }: { readonly weight: number; see(sums: SpanSums, into: Float64Array): void },
+    changes: readonly AddedChange[],
+    see: (sums: SpanSums, into: Float64Array) => void,
     into: Float64Array,
   ): void => {
     const { sumsOf, styleOf, ratio } = steep!;
-    see(sumsOf ? sumsOf(change) : sums, plain);
-    const style = styleOf && plain[3] > 0 ? styleOf(current, threeOf(places, n), change) : null;
-    addStyled(plain, style, { ratio, weight }, into);
+    const place = threeOf(places, n);
+    const by = changes.map(({ change }) => (sumsOf ? sumsOf(change) : sums));
+    by.forEach((one, first) => {
+      if (by.indexOf(one) < first) return;
+      see(one, plain);
+      if (!styleOf || !(plain[3] > 0)) {
+        const weight = changes.reduce((sum, { weight }, i) => (by[i] === one ? sum + weight : sum), 0);
+        return addStyled(plain, null, { ratio, weight }, into);
+      }
+      changes.forEach(({ change, weight }, i) => {
+        if (by[i] === one) addStyled(plain, styleOf(current, place, change), { ratio, weight }, into);
+      });
+    });
   };
   /**
    * What the hidden values of a level would show at a step.
@@ -143,7 +154,8 @@ export function estimateSeen(
       const [change, more] = [changeOf(n), hiddenChange(hidden, blockOf[n], dueAt[n], level)];
       const see = (by: SpanSums, into: Float64Array): unknown => meanOfHidden(by, spread, previous, into);
       into.fill(0);
-      for (const any of anyChange) addSteep(n, add(change, scale(any.change, more)), { weight: any.weight, see }, into);
+      const all = anyChange.map((any) => ({ change: add(change, scale(any.change, more)), weight: any.weight }));
+      addSteep(n, all, see, into);
     }
     const least = isPeaked ? passed : 1;
     return least + linear * Math.max(0, correlationOf(level) - least);
@@ -180,7 +192,7 @@ export function estimateSeen(
         if (steep && means[3] > leastSteep) {
           const see = (by: SpanSums, into: Float64Array): void => by.addMeans(from, value, 1, into.fill(0));
           means.fill(0);
-          addSteep(used, changeOf(used), { weight: 1, see }, means);
+          addSteep(used, [{ change: changeOf(used), weight: 1 }], see, means);
         }
       }
       for (let c = 0; c < 4; c++) shown[4 * used + c] = means[c];

@@ -17,8 +17,8 @@ export interface SteepLooks {
   readonly styleOf?: (ray: { readonly direction: readonly number[] }, place: Vector3, change: Vector3) => Styled;
 }
 
-/** A change that may be added to one that is shown. */
-interface AddedChange {
+/** A change that may be added to one that is shown, or a sum of both. */
+export interface AddedChange {
   readonly change: Vector3;
   readonly weight: number;
 }

@@ -6,7 +6,6 @@ import { loadPart } from '../../core/load-part.ts';
 import type * as shadingTwins from '../../optics/shading-twins.ts';
 import { flatChange, normalsToWorld } from '../../optics/rays/gradient.ts';
 import type { Gradient } from '../../optics/rays/gradient.ts';
-import type { Ray } from '../../optics/rays/rays.ts';
 import { brighten } from '../../optics/transfer/brighten.ts';
 import { domainOf } from '../../optics/transfer/emission.ts';
 import { gaussianReach } from '../../optics/transfer/patches.ts';
@@ -17,6 +16,7 @@ import { length, transformDirection } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { VolumeOptics } from '../model/volume-info.ts';
+import { lookUpStyles } from './brick-styles.ts';
 
 /** The float64 code of styles and patches. */
 export type SteepCode = typeof shadingTwins;
@@ -52,26 +52,18 @@ export function steepOf(
   };
   const sumsAt = patches && sumPatches(lightPatches(patches, lightFactor), meanOverWay, stored, scale);
   const perUnit = 1 / finestSpacing(finest);
-  let here: Gradient;
-  const stylesOf =
-    styles &&
-    stylesAt({
-      grid: finest,
-      gradient: () => here,
-      flat: flatChange(domainOf(brighten(transferFunction, lightFactor)), volume.range),
-      chains: shading === 'unlit' ? styles : withLight(styles),
-      referenceLength,
-    });
+  const flat = flatChange(domainOf(brighten(transferFunction, lightFactor)), volume.range);
+  const chains = shading === 'unlit' ? styles : styles && withLight(styles);
+  const styleOf =
+    chains &&
+    lookUpStyles({ grid: finest, flat }, (gradient) =>
+      stylesAt({ grid: finest, gradient, flat, chains, referenceLength }),
+    );
   return {
     voxel: finest.dimensions.map((n) => 1 / n) as unknown as Vector3,
     ratio: scale.stepRatio,
     sumsOf: sumsAt && ((change) => sumsAt(perUnit * length(gradientOf(change).world))),
-    styleOf:
-      stylesOf &&
-      ((ray, point, change) => {
-        here = gradientOf(change);
-        return stylesOf(ray as Ray)({ value: 0, valid: true, point });
-      }),
+    styleOf: styleOf && ((ray, place, change) => styleOf(ray, place, gradientOf(change))),
   };
 }
 
