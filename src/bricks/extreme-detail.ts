@@ -27,6 +27,7 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
   const { sign, colorOf, threshold } = scene.extreme!;
   const walk = walker(scene, isLossAsked);
   const meet = planeFinder(field, planes, isAway);
+  let number = 0;
   return (ray, listener) => {
     const plane = meet?.(ray) ?? null;
     const steps = walk(plane ? { ...ray, exit: plane.t } : ray);
@@ -38,7 +39,9 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
     };
     const first = threshold === undefined ? null : firstShown(steps, threshold);
     const shown = first ? first.value : steps.reduce((most, { value }) => Math.max(most, value), -Infinity);
-    const found = first ? weighFirst(steps, threshold!, first, lookOf) : weigh(steps, shown, lookOf);
+    const found = first
+      ? weighFirst(steps, { threshold: threshold!, shown: first, number: number++ }, lookOf)
+      : weigh(steps, shown, lookOf);
     const through = behind ? 1 - (shown === -Infinity ? 0 : colorOf(sign * shown)[3]) : 0;
     const ofPlane = behind ? through ** 2 * behind.energy : 0;
     report(found, scene, listener);
@@ -51,15 +54,16 @@ export function estimateExtremes(scene: DetailScene, isLossAsked: boolean): RayE
 }
 
 /** Logarithm of the probability that none of a step's values is above x. */
-function chanceBelow(x: number, { center, low, high, max, width, peaks, draws }: Spread): number {
+function chanceBelow(x: number, { center, low, high, max, width, peaks, draws, peakDraws }: Spread): number {
   if (x >= high) return 0;
   if (x < low) return never;
   const inBox = (half: number): number =>
     half > 0 ? Math.min(1, Math.max(0, (x - center + half) / (2 * half))) : Number(x >= center);
   const t = max > 0 ? Math.min(1, Math.abs(x - center) / max) : 1;
   const beyond = peaks * (t > 0 ? 1 - t + t * Math.log(t) : 1);
-  const chance = inBox(width) * (x >= center ? 1 - beyond : 1);
-  return chance > 0 ? Math.max(never, draws * Math.log(chance)) : never;
+  const inside = inBox(width);
+  if (!(inside > 0)) return never;
+  return Math.max(never, draws * Math.log(inside) + (x >= center ? peakDraws * Math.log1p(-beyond) : 0));
 }
 
 /** What is expected of a ray whose largest value is `shown`. */

@@ -15,6 +15,9 @@ const mostSamples = 4;
  */
 const peaksOfVariance = (4 * 0.5) / (2 / 3) ** 3;
 
+/** Over so many voxels of the next finer level the differences go together that a level of noise hides: (1 + a) / (1 - a), where a is a quarter. */
+const ofNoise = 5 / 3;
+
 /** What a value may be, times the sign: the largest counts. Anything within `width` of the center, or a peak up to `max` above it. */
 export interface Spread {
   readonly center: number;
@@ -26,6 +29,8 @@ export interface Spread {
   readonly peaks: number;
   /** How many such values there are in a step, independent of each other. */
   readonly draws: number;
+  /** How many peaks there may be in a step: one in each voxel of the finest level that counts. */
+  readonly peakDraws: number;
 }
 
 /** A step of a ray. */
@@ -62,7 +67,11 @@ export function walker(
   const levelWithout = levelWithoutBrick(field, isLossAsked);
   const spreadOf = (block: number, at: Parameters<typeof spreadAt>[2]): Spread | null => {
     const spread = spreadAt(hidden, block, at);
-    return spread && signed(spread, sign, voxels / Math.max(1, hidden.correlation?.(at.level) ?? 1));
+    if (!spread) return null;
+    const together = Math.max(1, hidden.correlation?.(at.level) ?? 1);
+    // Peaks are single voxels of the finest level, except in what is smooth.
+    const smooth = Math.max(1, together / 2 ** (at.level - 1) / ofNoise);
+    return signed(spread, sign, [voxels / together, voxels / 2 ** at.due / smooth]);
   };
   return ({ point, direction, entry, exit, dt }) => {
     const steps: Step[] = [];
@@ -94,7 +103,11 @@ export function walker(
   };
 }
 
-function signed({ center, rms, max, low, high }: HiddenSpread, sign: 1 | -1, draws: number): Spread {
+function signed(
+  { center, rms, max, low, high }: HiddenSpread,
+  sign: 1 | -1,
+  [draws, peakDraws]: readonly [number, number],
+): Spread {
   const [ends, middle] = [[sign * low, sign * high], sign * center];
   const [least, most] = [Math.min(...ends), Math.max(...ends)];
   const [up, down] = [Math.min(max, most - middle), Math.min(max, middle - least)];
@@ -106,5 +119,6 @@ function signed({ center, rms, max, low, high }: HiddenSpread, sign: 1 | -1, dra
     width: boxesOf(rms, max).width,
     peaks: up > 0 ? Math.min(0.5, (peaksOfVariance * (rms / max) ** 2 * up) / (up + Math.max(0, down))) : 0,
     draws,
+    peakDraws,
   };
 }

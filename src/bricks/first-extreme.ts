@@ -36,8 +36,16 @@ export function firstShown(steps: readonly Step[], threshold: number): RayEnd {
   return end;
 }
 
-/** What is expected of a ray that shows its first maximum from the threshold on. The same rays give the same. @param shown - from `firstShown` */
-export function weighFirst(steps: readonly Step[], threshold: number, shown: RayEnd, lookOf: Look): Found {
+/**
+ * What is expected of a ray that shows its first maximum from the threshold on. The same ray gives the same.
+ * @param shown - from `firstShown`
+ * @param number - of the ray: others have other hidden values
+ */
+export function weighFirst(
+  steps: readonly Step[],
+  { threshold, shown, number }: { readonly threshold: number; readonly shown: RayEnd; readonly number: number },
+  lookOf: Look,
+): Found {
   const looksNow = lookOf(shown.value);
   const isSeen = looksNow[3] > 0;
   const difference = (value: number): number => lookOf(value).reduce((sum, x, c) => sum + (x - looksNow[c]) ** 2, 0);
@@ -52,13 +60,14 @@ export function weighFirst(steps: readonly Step[], threshold: number, shown: Ray
     return share;
   };
   for (let trial = 0; trial < trials; trial++) {
-    const now = draw(steps, threshold, trial, (step) => step.now);
+    const seed = trials * number + trial + 1;
+    const now = draw(steps, threshold, seed, (step) => step.now);
     energy += give(energies, now, (step) => step.now !== null);
     cover += isSeen ? 1 / trials : lookOf(now.value)[3] / trials;
     if (steps.every((step) => step.without === step.now)) continue;
     give(
       without,
-      draw(steps, threshold, trial, (step) => step.without),
+      draw(steps, threshold, seed, (step) => step.without),
       (step) => step.without !== null,
     );
   }
@@ -83,20 +92,21 @@ export function weighFirst(steps: readonly Step[], threshold: number, shown: Ray
 function draw(
   steps: readonly Step[],
   threshold: number,
-  trial: number,
+  seed: number,
   spreadOf: (step: Step) => Spread | null,
 ): RayEnd {
-  const random = randomNumbers(trial + 1);
+  const random = randomNumbers(seed);
   const kept = { box: 0, peak: 0, isPeak: false };
   const end = new EndFinder(threshold);
   for (const step of steps) {
     const spread = spreadOf(step);
-    const count = spread ? Math.min(mostDraws, Math.max(1, Math.round(spread.draws))) : 1;
+    const count = spread ? Math.min(mostDraws, Math.max(1, Math.round(spread.peakDraws))) : 1;
+    const [ofBox, ofPeak] = spread ? [spread.draws / count, spread.peakDraws / count] : [0, 0];
     for (let n = 0; n < count; n++) {
       // Neighbours go together where a step is shorter than what is hidden.
-      if (spread && (spread.draws >= 1 || random() < spread.draws)) {
-        kept.isPeak = random() < spread.peaks;
-        kept.box = 2 * random() - 1;
+      if (spread && random() < ofBox) kept.box = 2 * random() - 1;
+      if (spread && random() < ofPeak) {
+        kept.isPeak = random() < 1 - (1 - spread.peaks) ** Math.max(1, ofPeak);
         kept.peak = random() * random();
       }
       const one = spread ? valueIn(spread, step.value, kept) : step.value;
