@@ -41,8 +41,8 @@ export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelC
   return cutsBy(oneAVoxel, maxError, longSteps);
 }
 
-/** The error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
-const rounding = 1 / Math.sqrt(12);
+/** A little more than the error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
+const rounding = 1.2 / Math.sqrt(12);
 
 /** Numbers of steps that measure how the error of pictures in motion falls: such pictures have them where time is short. */
 const inMotion = [32, 128] as const;
@@ -77,9 +77,7 @@ export class ViewQuality {
     const { isFree } = this.asked;
     return this.#withLoss(
       isFree
-        ? await (
-            await loadPart(import('./free-quality.ts'), 'leaves out steps and rays')
-          ).chooseFree(this, measuringTools)
+        ? await (await loadPart(import('./free-quality.ts'), 'spares steps and rays')).chooseFree(this, measuringTools)
         : await this.chooseUsual(),
     );
   }
@@ -138,7 +136,7 @@ export class ViewQuality {
 
   /** If rounding alone exceeds the target, the error is compared without rounding: more steps could not help. */
   #discount(estimate: ErrorEstimate): ErrorEstimate {
-    return this.asked.maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
+    return this.asked.maxError > rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
   /** @returns null where the view is no longer needed */
