@@ -4,6 +4,7 @@ import { maxSteps } from './detail-scene.ts';
 import type { DetailRay, DetailScene, ExtremeLook } from './detail-scene.ts';
 import { boxesOf, spreadAt } from './hidden-means.ts';
 import type { HiddenSpread } from './hidden-means.ts';
+import { alongOfNoise, voxelsTogether } from './hidden-values.ts';
 
 /** Samples that a step takes at most, where its level has several voxels in it. */
 const mostSamples = 4;
@@ -14,9 +15,6 @@ const mostSamples = 4;
  * height with the probability 1 - t + t ln t: the area in which (1 - x) (1 - y) > t.
  */
 const peaksOfVariance = (4 * 0.5) / (2 / 3) ** 3;
-
-/** Over so many voxels of the next finer level the differences go together that a level of noise hides: (1 + a) / (1 - a), where a is a quarter. */
-const ofNoise = 5 / 3;
 
 /** What a value may be, times the sign: the largest counts. Anything within `width` of the center, or a peak up to `max` above it. */
 export interface Spread {
@@ -70,7 +68,7 @@ export function walker(
     if (!spread) return null;
     const together = Math.max(1, hidden.correlation?.(at.level) ?? 1);
     // Peaks are single voxels of the finest level, except in what is smooth.
-    const smooth = Math.max(1, together / 2 ** (at.level - 1) / ofNoise);
+    const smooth = Math.max(1, together / 2 ** (at.level - 1) / voxelsTogether(alongOfNoise));
     return signed(spread, sign, [voxels / together, voxels / 2 ** at.due / smooth]);
   };
   return ({ point, direction, entry, exit, dt }) => {

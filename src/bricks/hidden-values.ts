@@ -21,6 +21,14 @@ export interface HiddenValues {
   high(block: number): number;
 }
 
+/** Residuals of interpolated noise that are one voxel of their level apart: how far they go together. */
+export const alongOfNoise = 0.25;
+
+/** Over how many voxels values go together of which neighbours do so far. @param along - 0 to 1 */
+export function voxelsTogether(along: number): number {
+  return (1 + along) / (1 - along);
+}
+
 /** As a table says it that lies next to the pyramid. @param dimensions - of level 0 */
 export function hiddenByTable({ side, low, high, levels }: ResidualTable, dimensions: Vector3): HiddenValues {
   return {

@@ -8,7 +8,7 @@ import { brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import { brickAround, brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
-import { hiddenUnderBricks, holdsBrick } from './hidden-values.ts';
+import { alongOfNoise, hiddenUnderBricks, holdsBrick, voxelsTogether } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
 import { MeasuredDetail, partAt, partsAlong } from './measured-detail.ts';
 import type { Brick } from './pyramid.ts';
@@ -38,8 +38,8 @@ const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
  */
 const [rmsOfRoughness, maxOfRoughness] = [0.13, 0.4];
 
-/** Residuals that are one voxel of their level apart: how far they go together where none was measured (interpolated noise), and at most. */
-const [usualAlong, mostAlong] = [0.25, 0.8];
+/** Residuals that are one voxel of their level apart go together so far at most. Where none was measured they are taken for noise. */
+const mostAlong = 0.8;
 
 /**
  * So much is left between voxels of what a writer says of these, as a root mean square: of noise, which interpolated along each axis has two thirds of its
@@ -239,9 +239,9 @@ export class ResidentDetail implements HiddenValues, DetailField {
     for (let level = 0; level < levels - 1; level++) {
       const [pairs, squares] = [this.#pairs[level], this.#squares[level]];
       const isKnown = squares > 0;
-      const along = isKnown ? Math.min(mostAlong, Math.max(0, pairs / squares)) : usualAlong;
-      this.#correlation[level + 1] = 2 ** level * ((1 + along) / (1 - along));
-      const smooth = Math.max(0, (along - usualAlong) / (1 - usualAlong));
+      const along = isKnown ? Math.min(mostAlong, Math.max(0, pairs / squares)) : alongOfNoise;
+      this.#correlation[level + 1] = 2 ** level * voxelsTogether(along);
+      const smooth = Math.max(0, (along - alongOfNoise) / (1 - alongOfNoise));
       this.#between[level + 1] = isKnown ? ofNoise + (1 - ofNoise) * smooth : ofUnknown;
     }
     this.#measured.update(growth, this.#peaks);

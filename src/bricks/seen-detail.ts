@@ -120,18 +120,13 @@ export function estimateSeen(
   ): void => {
     const { sumsOf, styleOf, ratio } = steep!;
     const place = threeOf(places, n);
-    const by = changes.map(({ change }) => (sumsOf ? sumsOf(change) : sums));
-    by.forEach((one, first) => {
-      if (by.indexOf(one) < first) return;
+    const sumsBy = changes.map(({ change }) => (sumsOf ? sumsOf(change) : sums));
+    for (const one of new Set(sumsBy)) {
       see(one, plain);
-      if (!styleOf || !(plain[3] > 0)) {
-        const weight = changes.reduce((sum, { weight }, i) => (by[i] === one ? sum + weight : sum), 0);
-        return addStyled(plain, null, { ratio, weight }, into);
-      }
-      changes.forEach(({ change, weight }, i) => {
-        if (by[i] === one) addStyled(plain, styleOf(current, place, change), { ratio, weight }, into);
-      });
-    });
+      if (!(plain[3] > 0)) continue;
+      for (const [i, { change, weight }] of changes.entries())
+        if (sumsBy[i] === one) addStyled(plain, styleOf?.(current, place, change) ?? null, { ratio, weight }, into);
+    }
   };
   /**
    * What the hidden values of a level would show at a step.

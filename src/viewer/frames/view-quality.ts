@@ -42,7 +42,7 @@ export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelC
 }
 
 /** A little more than the error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
-const rounding = 1.2 / Math.sqrt(12);
+const aboveRounding = 1.2 / Math.sqrt(12);
 
 /** Numbers of steps that measure how the error of pictures in motion falls: such pictures have them where time is short. */
 const inMotion = [32, 128] as const;
@@ -136,7 +136,7 @@ export class ViewQuality {
 
   /** If rounding alone exceeds the target, the error is compared without rounding: more steps could not help. */
   #discount(estimate: ErrorEstimate): ErrorEstimate {
-    return this.asked.maxError > rounding ? estimate : { ...estimate, rms: estimate.discretization };
+    return this.asked.maxError > aboveRounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
   /** @returns null where the view is no longer needed */

@@ -53,7 +53,7 @@ export function steepOf(
   const sumsAt = patches && sumPatches(lightPatches(patches, lightFactor), meanOverWay, stored, scale);
   const perUnit = 1 / finestSpacing(finest);
   const flat = flatChange(domainOf(brighten(transferFunction, lightFactor)), volume.range);
-  const chains = shading === 'unlit' ? styles : styles && withLight(styles);
+  const chains = styles && (shading === 'unlit' ? styles : withLight(styles));
   const styleOf =
     chains &&
     lookUpStyles({ grid: finest, flat }, (gradient) =>
