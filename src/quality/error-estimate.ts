@@ -44,7 +44,7 @@ export interface PictureError {
 export interface ErrorEstimate extends Pick<PictureError, 'rms' | 'p99'> {
   /** The largest difference of these rays. */
   readonly max: number;
-  /** 99.9 % of the pixels differ by at most this in any channel; if `isRare`, this holds with 95 % confidence. */
+  /** 99.9 % of the pixels differ by at most this in any channel; where pictures have a `doubt`, with the confidence that it leaves. */
   readonly p999: number;
   /** The order with which the picture converges: halving the step divides the error by 2^order. */
   readonly order: number;
@@ -88,19 +88,19 @@ export interface ProbedPictures {
   readonly fine: ArrayLike<number>;
   /** Whether `middle` has half the step of `shown`, so that the three pictures give the order. */
   readonly isEven: boolean;
-  /** Whether a few of all pixels may be off by much, as at the edges of opaque matter. The probed pixels are a sample of them. */
-  readonly isRare?: boolean;
+  /**
+   * Where a few of all pixels may be off by much, as at the edges of opaque matter, and the probed pixels are a sample of them: the share of
+   * cases in which more than one pixel in a thousand may be off by more than is found.
+   */
+  readonly doubt?: number;
 }
 
-/** The share of cases in which a statement with confidence may be wrong. */
-const doubt = 0.05;
-
 /**
- * For a sample of pixels, the rank from the largest down. With 95 % confidence, the error at this rank is at least what all pixels except
- * a share keep.
+ * For a sample of pixels, the rank from the largest down. Except in a share of cases (`doubt`), the error at this rank is at least what all
+ * pixels except a share keep.
  * The number of rare pixels in a sample has a Poisson distribution. If the sample is too small, the rank is that of the largest.
  */
-function rankFor(share: number, count: number): number {
+function rankFor(share: number, count: number, doubt: number): number {
   const mean = share * count;
   let [rank, chance, sum] = [0, Math.exp(-mean), 0];
   while (sum + chance <= doubt) {
@@ -116,7 +116,7 @@ function rankFor(share: number, count: number): number {
  * convergence; with it, the limit is extrapolated from the finest picture (Richardson 1911). If the order is below
  * one, rays graze jumps, each at other steps. Then the errors of finer steps are added as independent errors.
  */
-export function estimateError({ shown, middle, fine, isEven, isRare = false }: ProbedPictures): ErrorEstimate {
+export function estimateError({ shown, middle, fine, isEven, doubt }: ProbedPictures): ErrorEstimate {
   const first = rmsDifference(shown, middle);
   const second = rmsDifference(middle, fine);
   const isMeasured = isEven && first > noise && second > noise;
@@ -147,7 +147,7 @@ export function estimateError({ shown, middle, fine, isEven, isRare = false }: P
   return {
     rms: mean(seen),
     p99: shareOf(0.99),
-    p999: isRare ? (worst[covered - rankFor(0.001, covered)] ?? 0) : shareOf(0.999),
+    p999: doubt ? (worst[covered - rankFor(0.001, covered, doubt)] ?? 0) : shareOf(0.999),
     max: worst.at(-1) ?? 0,
     order,
     discretization: mean(computed),

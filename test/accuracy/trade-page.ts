@@ -58,6 +58,8 @@ const scans: Readonly<Record<string, readonly [file: string, attributes: Record<
 
 const small: readonly string[] = [
   'Specks of 1 voxel in a veil, large',
+  'Specks of 1 voxel in a veil, small',
+  'Plate of 1 voxel, almost from its edge',
   'Lesions of low contrast, radius 2',
   'Wires of 1 voxel',
   'Shells of about 1 voxel',

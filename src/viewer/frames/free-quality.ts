@@ -5,7 +5,7 @@ import { cutNowhere, findFirst, listCoarseLevels, uncut } from '../../quality/co
 import type { ErrorEstimate } from '../../quality/error-estimate.ts';
 import type { Level, LevelCuts } from '../../quality/levels.ts';
 import type { PixelRectangle } from '../../quality/place-probes.ts';
-import { addLoss, chooseSparing } from '../../quality/spare-rays.ts';
+import { addLoss, chooseSparing, tileMargin } from '../../quality/spare-rays.ts';
 import { autoSteps } from '../../quality/steps.ts';
 import type { Waiting } from '../../core/waiting.ts';
 import type { ErrorProbe } from './measure-quality.ts';
@@ -23,16 +23,20 @@ const share = 0.12;
 const along: readonly [number, number] = [2, 6];
 
 /**
- * Parts of a picture: squares in an even grid, each in the middle of its part; or all of a small rectangle.
+ * Parts of a picture: squares in an even grid, each in the middle of its part; or all of a small rectangle, with its edges, which may not be
+ * among the pixels that don't count. Every fourth pixel, from the first one on, is one that gets a ray in the picture too.
  * @param rectangle - in which something may be visible
  */
 function placeTiles({ left, bottom, width, height }: PixelRectangle): PixelLattice[] {
-  const whole = (pixels: number): number => 4 * Math.ceil(pixels / 4);
+  const known = (pixel: number): number => 4 * Math.floor(pixel / 4);
   const count = Math.min(along[1], Math.max(along[0], Math.round(Math.sqrt(share * width * height) / side)));
   const places = (begin: number, pixels: number): { size: number; firsts: number[] } => {
-    if (pixels <= count * side) return { size: whole(pixels), firsts: [begin] };
+    if (pixels <= count * side) {
+      const first = known(begin - tileMargin);
+      return { size: known(begin + pixels + tileMargin + 3) - first, firsts: [first] };
+    }
     const each = pixels / count;
-    const firsts = Array.from({ length: count }, (_, i) => begin + Math.floor((i + 0.5) * each - side / 2));
+    const firsts = Array.from({ length: count }, (_, i) => known(begin + (i + 0.5) * each - side / 2));
     return { size: side, firsts };
   };
   const [across, up] = [places(left, width), places(bottom, height)];
@@ -95,7 +99,7 @@ async function chooseCoarse(
 ): Promise<Measured | null> {
   const { scene, grid, size, goesOn } = view;
   if (scene.walksVoxels) return null;
-  const probe = new ErrorProbe(scene, { grid, size, cuts: cutNowhere });
+  const probe = new ErrorProbe(scene, { grid, size, cuts: cutNowhere, losesSmall: true });
   const estimate = async (level: Level, finer?: readonly number[]): Promise<ErrorEstimate | null> => {
     const compared = finer && {
       isEven: false,

@@ -56,6 +56,12 @@ function isOpaque(scene: Scene): boolean {
   );
 }
 
+/** The share of cases in which more pixels than one in a thousand may be off by more than is found, where matter is opaque. */
+const doubtOfOpaque = 0.05;
+
+/** The same for steps that lose small things: with less, fewer would be spared. */
+const doubtOfSmall = 0.2;
+
 /** Number of pixels, in floats, that are drawn and read together to find those that show something. */
 const searchedAtOnce = 2 ** 18;
 
@@ -111,6 +117,8 @@ export interface ProbedView {
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
   readonly cuts: LevelCuts;
+  /** Whether small things may be lost: then a few pixels may be much of the error, and so many are probed that some of these are met. */
+  readonly losesSmall?: boolean;
 }
 
 /** Pictures of a level: its own one, and two finer ones. */
@@ -128,8 +136,8 @@ export class ErrorProbe {
   lattices: readonly PixelLattice[] | null = null;
   /** Whether all pixels have been searched, where this is worth the time. */
   #isSearched = false;
-  /** Whether the probes are a sample of many pixels, of which a few may have a large error. */
-  #isRare = false;
+  /** Set where the probes are a sample of many pixels, of which a few may have a large error: see `ProbedPictures`. */
+  #doubt: number | undefined;
   /** The share of the rectangle's pixels that are probed, where all others are known to show nothing. */
   #share = 1;
 
@@ -154,7 +162,7 @@ export class ErrorProbe {
    */
   estimate(level: Level, { isEven, pictures }: Comparison = this.#plan(level)): ErrorEstimate | null {
     const [shown, middle, fine] = pictures.map((picture) => atOnce(this.#probe(...picture)));
-    return shown && middle && fine && estimateError({ shown, middle, fine, isEven, isRare: this.#isRare });
+    return shown && middle && fine && estimateError({ shown, middle, fine, isEven, doubt: this.#doubt });
   }
 
   /**
@@ -209,7 +217,7 @@ export class ErrorProbe {
     }
     if (shown.length === 0) return;
     this.lattices = placeAround(shown);
-    this.#isRare &&= this.lattices.some(({ stride }) => stride > 1);
+    if (this.lattices.every(({ stride }) => stride === 1)) this.#doubt = undefined;
     this.#pictures.clear();
     this.#share = Math.min(1, this.lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
   }
@@ -258,12 +266,14 @@ export class ErrorProbe {
   *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
     if (this.lattices) return yield* this.#drawAt(this.lattices, steps, substeps);
     const opaque = isOpaque(this.scene);
-    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, opaque, times) : []);
+    const hasRare = opaque || this.view.losesSmall;
+    const place = (times: number): PixelLattice[] =>
+      this.rectangle ? placeProbes(this.rectangle, !!hasRare, times) : [];
     const lattices = place(1);
     const picture = yield* this.#drawAt(lattices, steps, substeps);
-    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, opaque) : 1;
+    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, hasRare) : 1;
     this.lattices = times > 1 ? place(times) : lattices;
-    this.#isRare = opaque && this.lattices.some(({ stride }) => stride > 1);
+    if (hasRare && this.lattices.some(({ stride }) => stride > 1)) this.#doubt = opaque ? doubtOfOpaque : doubtOfSmall;
     return times > 1 ? yield* this.#drawAt(this.lattices, steps, substeps) : picture;
   }
 

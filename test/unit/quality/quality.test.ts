@@ -120,7 +120,7 @@ describe('the estimate over the pixels that the volume covers', () => {
             middle: pictureOf(0.25),
             fine: pictureOf(0.06),
             isEven: true,
-            isRare: true,
+            doubt: 0.05,
           }),
         ) <= 1
       );

@@ -60,6 +60,17 @@ describe('detail="free"', () => {
     }
   });
 
+  it('keeps the error where few pixels have all of it: specks of a voxel, and a thin plate from its edge', async function () {
+    this.timeout(120_000);
+    for (const name of ['Specks of 1 voxel in a veil, small', 'Plate of 1 voxel, almost from its edge']) {
+      for (const { maxError, detail, stats, e } of await traded(name)) {
+        console.log(`${name}, ${detail} at ${maxError}: E ${e.toFixed(2)}, rays ${stats.rays.toFixed(2)}`);
+        expect(stats.keepsMaxError, `${name}, ${detail} at ${maxError}`).to.equal(true);
+        expect(e, `${name}, ${detail} at ${maxError}`).to.be.at.most(1.1 * maxError);
+      }
+    }
+  });
+
   it('has one picture: once more, after another detail, and as a file', async function () {
     this.timeout(120_000);
     const setup = await brain({ detail: 'free', 'max-error': '8' });
