@@ -3,9 +3,18 @@ import type { StudyFunction, StudyScene } from '../../demos/accuracy/scenes.ts';
 import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { marschnerLobb } from '../accuracy/error-scenes.ts';
-import { makeWires, scatter, smallFunctions, veilValue } from '../accuracy/small-volumes.ts';
+import {
+  makeLesions,
+  makeMesh,
+  makeText,
+  makeWires,
+  scatter,
+  smallFunctions,
+  veilValue,
+} from '../accuracy/small-volumes.ts';
 import type { SmallVolume } from '../accuracy/small-volumes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -15,6 +24,8 @@ export interface BenchVolume {
   readonly volume: Volume;
   /** A smooth one, three narrow peaks, an opaque surface; of small things one of their own. */
   readonly functions: readonly { readonly name: string; readonly transferFunction: TransferFunction }[];
+  /** Of volumes made with small things: the same without them, and where they are in the volume, in voxel indices. */
+  readonly small?: { readonly bare: Volume; readonly places: readonly Vector3[] };
 }
 
 /**
@@ -44,7 +55,7 @@ const made: Readonly<
   'marschner-lobb': { name: 'Marschner-Lobb, synthetic', edge: 128, field: marschnerLobb },
 };
 
-/** One-voxel specks in a veil, and one-voxel wires in empty space. */
+/** One-voxel specks in a veil; one-voxel wires, bars and strokes in empty space; balls that are a little denser than what is around them. */
 const small: Readonly<Record<string, { name: string; make: () => SmallVolume; functionName: string; stops: string }>> =
   {
     specks: {
@@ -58,6 +69,24 @@ const small: Readonly<Record<string, { name: string; make: () => SmallVolume; fu
       make: () => makeWires(128, 40),
       functionName: 'Solid wires',
       stops: smallFunctions.solid,
+    },
+    mesh: {
+      name: 'Mesh of bars of 1 voxel, synthetic',
+      make: () => makeMesh(128),
+      functionName: 'Solid bars',
+      stops: smallFunctions.solid,
+    },
+    text: {
+      name: 'Strokes of 1 voxel, synthetic',
+      make: () => makeText(72),
+      functionName: 'Solid strokes',
+      stops: smallFunctions.solid,
+    },
+    lesions: {
+      name: 'Balls of radius 2, synthetic',
+      make: makeLesions,
+      functionName: 'A little denser',
+      stops: '0 #400 0, 60 #400 0, 80 #a64 1.5%, 170 #fda 6%, 255 white 10%',
     },
   };
 
@@ -73,10 +102,12 @@ export async function loadBenchVolume(id: string, signal: AbortSignal): Promise<
   }
   if (Object.hasOwn(small, id)) {
     const { name, make, functionName, stops } = small[id];
-    const volume = make().block.toVolume();
+    const { block, bare, places } = make();
+    const volume = block.toVolume();
     return {
       name,
       volume,
+      small: { bare: bare.toVolume(), places },
       functions: [{ name: functionName, transferFunction: parseTransferFunction(stops, volume.range) }],
     };
   }

@@ -49,7 +49,7 @@ export function alignVolume(volume: Volume): Volume {
   if ([1, 2, 4, 6, 8, 9].some((i) => Math.abs(m[i]) > 1e-6 * Math.min(...spacing)))
     throw new Error('peers get no oblique volumes');
   const samples = volume.samples.slice();
-  const [flipX, flipY, flipZ] = [m[0] < 0, m[5] < 0, m[10] < 0];
+  const [flipX, flipY, flipZ] = flipsOf(volume);
   for (let k = 0, at = 0; k < nz; k++) {
     for (let j = 0; j < ny; j++) {
       const row = nx * ((flipY ? ny - 1 - j : j) + ny * (flipZ ? nz - 1 - k : k));
@@ -63,6 +63,21 @@ export function alignVolume(volume: Volume): Volume {
     grid: cartesianGrid(dimensions, scaleAndTranslate(spacing, first)),
     macrocells: buildMacrocells(samples, dimensions),
   };
+}
+
+/** Which axes of a volume go against the world's. */
+function flipsOf({ grid: { indexToWorld: m } }: Volume): [boolean, boolean, boolean] {
+  return [m[0] < 0, m[5] < 0, m[10] < 0];
+}
+
+/** Where a voxel of a volume is in the world, once the volume is aligned. @param place - in voxel indices of the volume as it was */
+export function alignPlace(volume: Volume, place: Vector3): Vector3 {
+  const { dimensions, spacing } = volume.grid;
+  const flips = flipsOf(volume);
+  return place.map((i, axis) => {
+    const last = dimensions[axis] - 1;
+    return ((flips[axis] ? last - i : i) - last / 2) * spacing[axis];
+  }) as unknown as Vector3;
 }
 
 /** The default view of `<volume-view>`. */

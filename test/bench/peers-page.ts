@@ -6,20 +6,24 @@ import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { fogMaterial } from '../../src/optics/transfer/lights.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { cutSteps, listLevels } from '../../src/quality/levels.ts';
-import type { Level } from '../../src/quality/levels.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSubsteps } from '../../src/optics/rays/segment.ts';
+import { ViewQuality } from '../../src/viewer/frames/view-quality.ts';
+import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
-import { changePlan, drawAt } from '../helpers/change-plan.ts';
+import { measureThing } from '../accuracy/compare-shown.ts';
+import { findPixel } from '../accuracy/full-rays.ts';
+import { changePlan } from '../helpers/change-plan.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import { litStages } from '../helpers/lit.ts';
-import { findFewest, findLevel, listCounts, remember } from './find-steps.ts';
+import { findFewest, listCounts } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
-import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
+import { alignPlace, alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
 import type { QualityOptions } from './quality-page.ts';
 import { median } from './table.mjs';
@@ -33,17 +37,32 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
-  /** Ours: the levels of a picture at rest, and which one is drawn from now on; others take any number of steps. */
-  readonly levels?: readonly Level[];
-  cut?(level: Level): void;
+  /** Ours: the picture at rest for this `max-error` and `detail` is drawn until the size is set, whatever step length is asked for. */
+  choose?(maxError: number, isFree: boolean): Promise<ChosenPicture>;
+}
+
+/** How our picture at rest is drawn. */
+interface ChosenPicture {
+  readonly steps: number;
+  readonly substeps: number;
+  /** Share of the pixels that get rays. */
+  readonly rays: number;
+}
+
+/** What keeps an error, and its time. */
+export interface Reached extends FoundSteps {
+  readonly ms: number;
+  /** Ours: share of the pixels that get rays, and the `max-error` with which the picture has this error. */
+  readonly rays?: number;
+  readonly maxError?: number;
 }
 
 export interface PeerResult {
   /** Of its limit from the float64 reference: RMSE, 1/255; and the limit's steps. */
   readonly fromReference: number;
   readonly limitSteps: number;
-  /** By target; null where no number of steps reaches it, or none can be set. */
-  readonly reached: Readonly<Record<number, (FoundSteps & { ms: number }) | null>>;
+  /** By the name of a target, see `targetsOf`; null where no number of steps reaches it, or none can be set. */
+  readonly reached: Readonly<Record<string, Reached | null>>;
   /** Of its only picture, where its step can't be set. */
   readonly fixedMs: number | null;
   /** Its limit, as a picture: a data: URL. */
@@ -60,12 +79,42 @@ export interface PeersRow {
   readonly results: Readonly<Record<string, PeerResult>>;
 }
 
+/** What a picture has to keep. */
+interface Target {
+  readonly name: string;
+  /** E, see helpers/covered-error.ts. */
+  readonly e: number;
+  /** Whether each small thing that is there keeps three quarters of its contrast, too. */
+  readonly keepsSmall?: boolean;
+}
+
+/** The name of the target that nothing small is dimmed. */
+export const keepsSmall = 'small';
+
+/** Of a small thing this much has to be left, where nothing small may be dimmed. */
+const leastKept = 0.75;
+
+/** Things count that stand out by this much, 1/255. */
+const leastContrast = 8;
+
+/** A thing is looked for this far from its place, in voxels. */
+const reachOfThing = 1;
+
+/** Our picture may need a smaller `max-error` than the error that it has to keep, as a share of that. */
+const sharesOfError: readonly number[] = [1, 0.5, 0.25];
+
 export interface PeersOptions extends QualityOptions {
   /** Addresses of bundled modules by name. */
   readonly modules: Readonly<Record<string, string>>;
   /** Each volume's first function is drawn lit, too, or lit alone, or not. */
   readonly lit: 'too' | 'only' | 'no';
 }
+
+/** The element, with `detail` as it is by default and with `free`: whether it is free. */
+const ours: readonly (readonly [string, boolean])[] = [
+  ['ours', false],
+  ['ours, free', true],
+];
 
 /** Peers that light by gradients as we do; the same light and material go to each. */
 const litPeers: readonly string[] = ['vtk'];
@@ -79,6 +128,9 @@ const limitSteps: readonly number[] = [1024, 2048, 4096, 8192];
 /** Lit, a peer tends to another picture than the reference, which does not tell where digits are lost: it takes no more than these. */
 const maxLitSteps = 4096;
 
+/** Of ours: a step is one linear piece of the transfer function's integral, so these are many. */
+const maxOwnSteps = 2048;
+
 /** Distances from the reference that differ by less are the same: RMSE, 1/255. */
 const asNear = 0.25;
 
@@ -91,15 +143,22 @@ const slow = 1000;
 /** @param notify - what is being done */
 export async function comparePeers(options: PeersOptions, notify: (what: string) => void): Promise<PeersRow[]> {
   const rows: PeersRow[] = [];
-  for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
+  for await (const { name, volume: loaded, functions, small } of eachVolume(
+    options.scenes,
+    new AbortController().signal,
+  )) {
     const volume = alignVolume(loaded);
+    const things = small && {
+      bare: alignVolume(small.bare),
+      places: small.places.map((place) => alignPlace(loaded, place)),
+    };
     const looks = [
       ...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))),
       ...(options.lit === 'no' ? [] : [{ ...functions[0], isLit: true }]),
     ];
     for (const { name: functionName, transferFunction, isLit } of looks) {
       const title = isLit ? `${functionName}, lit` : functionName;
-      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) =>
+      const results = await compareScene({ volume, transferFunction, isLit, things }, options, (what) =>
         notify(`${name}, ${title}, ${what}`),
       );
       for (const [size, bySize] of results)
@@ -114,6 +173,8 @@ interface Shown {
   readonly volume: Volume;
   readonly transferFunction: TransferFunction;
   readonly isLit: boolean;
+  /** The same without its small things, and where these are in the world. */
+  readonly things?: { readonly bare: Volume; readonly places: readonly Vector3[] };
 }
 
 async function compareScene(
@@ -122,37 +183,37 @@ async function compareScene(
   notify: (what: string) => void,
 ): Promise<Map<number, Record<string, PeerResult>>> {
   const camera = findCamera(shown.volume);
-  const scene = {
-    ...describeScene(shown.volume, shown.transferFunction, camera),
-    ...(shown.isLit && { light: fogMaterial }),
-  };
   const references = new Map<boolean, number[]>();
   const results = new Map<number, Record<string, PeerResult>>(options.sizes.map((size) => [size, {}]));
   const peers = Object.keys(options.modules).filter((name) => !shown.isLit || litPeers.includes(name));
-  for (const name of ['ours', ...peers]) {
-    notify(name);
+  for (const name of [null, ...peers]) {
+    notify(name ?? 'ours');
     const host = document.createElement('div');
     document.body.append(host);
-    const peer =
-      name === 'ours'
-        ? await startOurs(host, { ...shown, camera })
-        : await startPeer(host, options.modules[name], scene);
+    const start = (volume: Volume): Promise<Peer> =>
+      name === null
+        ? startOurs(host, { ...shown, volume, camera })
+        : startPeer(host, options.modules[name], {
+            ...describeScene(volume, shown.transferFunction, camera),
+            ...(shown.isLit && { light: fogMaterial }),
+          });
+    const peer = await start(shown.volume);
     const isParallel = peer.parallel !== undefined;
     if (!references.has(isParallel))
       references.set(
         isParallel,
         castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize),
       );
-    const measured = await measurePeer(
-      peer,
-      {
-        volume: shown.volume,
-        reference: references.get(isParallel)!,
-        maxSteps: shown.isLit && name !== 'ours' ? maxLitSteps : Infinity,
-      },
-      options,
-    );
-    for (const [size, result] of measured) results.get(size)![name] = result;
+    const maxSteps = name === null ? maxOwnSteps : shown.isLit ? maxLitSteps : Infinity;
+    const limit = findLimit(peer, { shown, reference: references.get(isParallel)!, maxSteps }, options.errorSize);
+    const measuring = { shown, camera, limit, start };
+    for (const size of options.sizes) {
+      const found =
+        name === null
+          ? await measureOurs(peer, measuring, { ...options, size })
+          : { [name]: await measurePeer(peer, measuring, { ...options, size }) };
+      Object.assign(results.get(size)!, found);
+    }
     peer.dispose();
     host.remove();
   }
@@ -184,80 +245,193 @@ async function startOurs(
   });
   if (isLit) await scene.setAppearance({ style: { lit: true } });
   await scene.finished();
+  const { grid } = volume;
+  let chosen: Partial<typeof scene.plan> | null = null;
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
+      chosen = null;
       changePlan(scene, { picture: { width: pixels, height: pixels } });
       changePlan(scene, { camera });
     },
-    draw: (stepLength) => drawAt(scene, stepLength),
+    draw: (stepLength) => {
+      const finest = { steps: Math.round(stepsOfLength(volume, stepLength)), substeps: maxSubsteps };
+      changePlan(scene, chosen ?? { stepLength, substeps: cutSteps(finest, autoSteps(grid), 1), maxCurvature: 0 });
+      scene.draw();
+    },
+    async choose(maxError, isFree) {
+      const view = { scene, grid, size: scene.plan.picture, goesOn: () => true };
+      const quality = new ViewQuality(view, { steps: 'auto', maxError, isFree });
+      const found = await quality.choose();
+      if (!found) throw new Error('the view is gone');
+      const { steps, substeps, free } = found.level;
+      const { sampling = allRays, substeps: cut = quality.cuts.own(found.level) } = free ?? {};
+      chosen = { stepLength: stepLengthOf(grid, steps), substeps: cut, maxCurvature: sampling.maxCurvature };
+      return { steps, substeps, rays: sampling.share };
+    },
     dispose: () => scene.dispose(),
-    levels: listLevels(autoSteps(volume.grid)),
-    cut: (level) => changePlan(scene, { substeps: cutSteps(level, autoSteps(volume.grid), 1) }),
   };
 }
 
+function stepsOfLength({ grid }: Volume, stepLength: number): number {
+  return stepLengthOf(grid, 1) / stepLength;
+}
+
+/** A renderer's picture with very many steps. */
+interface Limit {
+  readonly steps: number;
+  /** The picture of the size at which the errors of peers are measured. */
+  readonly picture: Uint8Array;
+  /** RMSE, 1/255. */
+  readonly fromReference: number;
+}
+
+interface Measuring {
+  readonly shown: Shown;
+  readonly camera: PeerCamera;
+  readonly limit: Limit;
+  /** The same renderer with another volume. */
+  readonly start: (volume: Volume) => Promise<Peer>;
+}
+
+type SizedOptions = PeersOptions & { readonly size: number };
+
+/** The error of a picture of this size for a target, against the renderer's own limit; Infinity where a small thing is dimmed. */
+async function compareAt(
+  peer: Peer,
+  { shown: { volume, things }, camera, limit, start }: Measuring,
+  size: number,
+): Promise<(picture: Uint8Array, target: Target) => number> {
+  const stepLength = stepLengthOf(volume.grid, limit.steps);
+  peer.setSize(size);
+  const full = drawPicture(peer, stepLength, size);
+  const bare = things && (await drawBare(start, { bare: things.bare, stepLength }, size));
+  return (picture, target) => {
+    const { e } = compareCovered(picture, full, 1, 3);
+    if (!target.keepsSmall || e > target.e) return e;
+    const kept = leastOf(things!.places, { picture, full, bare: bare!, size }, { camera, grid: volume.grid });
+    return kept < leastKept ? Infinity : e;
+  };
+}
+
+/** Our pictures at rest. Their errors are those of the pictures that are timed. */
+async function measureOurs(
+  peer: Peer,
+  measuring: Measuring,
+  { size, targets, repeats, errorSize }: SizedOptions,
+): Promise<Record<string, PeerResult>> {
+  const { shown, limit } = measuring;
+  const errorOf = await compareAt(peer, measuring, size);
+  const results: Record<string, PeerResult> = {};
+  for (const [name, isFree] of ours) {
+    const reached: Record<string, Reached | null> = {};
+    for (const target of targetsOf(targets, shown)) {
+      reached[target.name] = null;
+      for (const share of sharesOfError) {
+        peer.setSize(size);
+        const maxError = share * target.e;
+        const chosen = await peer.choose!(maxError, isFree);
+        const error = errorOf(drawPicture(peer, 1, size), target);
+        if (error > target.e) continue;
+        const ms = timePicture(() => drawPicture(peer, 1, 1), repeats);
+        reached[target.name] = { ...chosen, error, ms, maxError };
+        break;
+      }
+    }
+    results[name] = describeResult(limit, errorSize, { fixedMs: null, reached });
+  }
+  return results;
+}
+
+/** The fewest steps of a peer. Errors are measured in small pictures of the same view. */
 async function measurePeer(
   peer: Peer,
-  { volume, reference, maxSteps }: { volume: Volume; reference: readonly number[]; maxSteps: number },
-  { sizes, targets, repeats, errorSize }: PeersOptions,
-): Promise<Map<number, PeerResult>> {
-  const compare = (picture: Uint8Array): number =>
-    rms(
-      referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]),
-      reference,
-    );
-  const drawLevel = (
-    { steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>,
-    size: number,
-  ): Uint8Array => {
-    peer.cut?.({ steps, substeps });
-    return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
-  };
-  peer.setSize(errorSize);
-  const { limit, ofSteps, fromReference } = findLimit(
-    (steps) => drawLevel({ steps }, errorSize),
-    peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps),
-    compare,
-  );
-  const errorOf = remember(
-    async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e,
-  );
-  const counts = listCounts(ofSteps / 2);
-  const found = new Map<number, FoundSteps | null>();
-  for (const target of targets) {
-    if (peer.isFixed) found.set(target, null);
-    else if (peer.levels) found.set(target, await findLevel(peer.levels, target, errorOf));
-    else found.set(target, await findFewest(counts, target, (steps) => errorOf({ steps })));
+  measuring: Measuring,
+  { size, targets, repeats, errorSize }: SizedOptions,
+): Promise<PeerResult> {
+  const {
+    shown,
+    shown: {
+      volume: { grid },
+    },
+    limit,
+  } = measuring;
+  const time = (steps: number): number => timePicture(() => drawPicture(peer, stepLengthOf(grid, steps), 1), repeats);
+  if (peer.isFixed) {
+    peer.setSize(size);
+    return describeResult(limit, errorSize, { fixedMs: time(autoSteps(grid)), reached: {} });
   }
-  const picture = toDataUrl(limit, errorSize);
-  return new Map(
-    sizes.map((size) => {
-      peer.setSize(size);
-      const time = (level: Pick<FoundSteps, 'steps' | 'substeps'>): number =>
-        timePicture(() => drawLevel(level, 1), repeats);
-      return [
-        size,
-        {
-          fromReference,
-          limitSteps: ofSteps,
-          picture,
-          fixedMs: peer.isFixed ? time({ steps: autoSteps(volume.grid) }) : null,
-          reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: time(one) }])),
-        },
-      ];
-    }),
-  );
+  const errorOf = await compareAt(peer, measuring, errorSize);
+  const counts = listCounts(limit.steps / 2);
+  const drawn = new Map<number, Uint8Array>();
+  const draw = (steps: number): Uint8Array => {
+    if (!drawn.has(steps)) drawn.set(steps, drawPicture(peer, stepLengthOf(grid, steps), errorSize));
+    return drawn.get(steps)!;
+  };
+  const found = new Map<string, FoundSteps | null>();
+  for (const target of targetsOf(targets, shown))
+    found.set(target.name, await findFewest(counts, target.e, (steps) => errorOf(draw(steps), target)));
+  peer.setSize(size);
+  const reached = Object.fromEntries([...found].map(([name, one]) => [name, one && { ...one, ms: time(one.steps) }]));
+  return describeResult(limit, errorSize, { fixedMs: null, reached });
+}
+
+function describeResult(
+  { steps, picture, fromReference }: Limit,
+  errorSize: number,
+  measured: Pick<PeerResult, 'fixedMs' | 'reached'>,
+): PeerResult {
+  return { fromReference, limitSteps: steps, picture: toDataUrl(picture, errorSize), ...measured };
+}
+
+function targetsOf(errors: readonly number[], { things }: Shown): Target[] {
+  return [
+    ...errors.map((e) => ({ name: String(e), e })),
+    ...(things ? [{ name: keepsSmall, e: 1, keepsSmall: true }] : []),
+  ];
+}
+
+/** A renderer's picture of a volume without its small things. */
+async function drawBare(
+  start: Measuring['start'],
+  { bare, stepLength }: { bare: Volume; stepLength: number },
+  size: number,
+): Promise<Uint8Array> {
+  const peer = await start(bare);
+  peer.setSize(size);
+  const picture = drawPicture(peer, stepLength, size);
+  peer.dispose();
+  return picture;
+}
+
+/** What is left of the thing that has lost most. */
+function leastOf(
+  places: readonly Vector3[],
+  { picture, full, bare, size }: Record<'picture' | 'full' | 'bare', Uint8Array> & { size: number },
+  { camera, grid }: { camera: PeerCamera; grid: Volume['grid'] },
+): number {
+  const toShares = (bytes: Uint8Array): Float32Array => Float32Array.from(bytes, (x) => x / 255);
+  const pictures = { shown: picture, full: toShares(full), bare: toShares(bare), size };
+  const { distance, fieldOfView } = camera;
+  const pixelsPerVoxel = (size * finestSpacing(grid)) / (2 * distance * Math.tan(fieldOfView / 2));
+  let least = 1;
+  for (const place of places) {
+    const thing = measureThing(pictures, findPixel(camera, place, size), Math.max(1, reachOfThing * pixelsPerVoxel));
+    if (thing && thing.contrast >= leastContrast) least = Math.min(least, thing.kept);
+  }
+  return least;
 }
 
 function findLimit(
-  drawSteps: (steps: number) => Uint8Array,
-  candidates: readonly number[],
-  compare: (picture: Uint8Array) => number,
-): { limit: Uint8Array; ofSteps: number; fromReference: number } {
-  const pictures = candidates.map((ofSteps) => {
-    const limit = drawSteps(ofSteps);
-    return { limit, ofSteps, fromReference: compare(limit) };
+  peer: Peer,
+  { shown, reference, maxSteps }: { shown: Shown; reference: readonly number[]; maxSteps: number },
+  errorSize: number,
+): Limit {
+  peer.setSize(errorSize);
+  const pictures = (peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps)).map((steps): Limit => {
+    const picture = drawPicture(peer, stepLengthOf(shown.volume.grid, steps), errorSize);
+    const seen = referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]);
+    return { steps, picture, fromReference: rms(seen, reference) };
   });
   const min = Math.min(...pictures.map(({ fromReference }) => fromReference));
   const near = pictures.filter(({ fromReference }) => fromReference <= min + asNear);
@@ -313,7 +487,10 @@ function referencePixels(errorSize: number): number[] {
   return places.flatMap((row) => places.map((column) => row * errorSize + column));
 }
 
-/** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, one step per voxel, with substeps. */
+/** Steps per voxel of the reference: with one, small things are off by more than a renderer may be. */
+const referenceSteps = 4;
+
+/** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, four steps per voxel, with substeps. */
 function castReference({ volume, transferFunction, isLit }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
@@ -323,7 +500,7 @@ function castReference({ volume, transferFunction, isLit }: Shown, rays: RaySetu
     slope,
     intercept,
     ...looks,
-    stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)),
+    stepLength: stepLengthOf(volume.grid, referenceSteps * autoSteps(volume.grid)),
     ...(isLit && litStages(volume, transferFunction)),
   };
   const optics = opticsOf(scene);

@@ -8,7 +8,13 @@ import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
 import { peerNames, preparePeers } from './peers/build.mjs';
 import { median, printTable } from './table.mjs';
 
-const targets = [1, 4];
+const targets = [1, 2, 4];
+
+/** The name of the target that E is at most 1 and nothing small is dimmed, see peers-page.ts. */
+const keepsSmall = 'small';
+
+/** The element, and what the other renderers are compared with, for each target. */
+const ours = ['ours', 'ours, free'];
 
 /** A peer counts whose picture at very many steps is no further from the reference: RMSE, 1/255. */
 const maxFromReference = 4;
@@ -49,9 +55,9 @@ export async function run() {
         })),
     );
     for (const size of options.sizes)
-      for (const target of targets)
+      for (const target of [...targets.map(String), keepsSmall])
         printPeers(
-          rows.filter((row) => row.size === size),
+          rows.filter((row) => row.size === size && target in row.results.ours.reached),
           { size, target },
         );
     if (process.env.PICTURES) writePictures(rows, process.env.PICTURES);
@@ -65,50 +71,69 @@ function readLit(asked) {
 
 /**
  * @param {import('./peers-page.ts').PeersRow[]} rows
- * @param {{ size: number, target: number }} what
+ * @param {{ size: number, target: string }} what
  */
 function printPeers(rows, { size, target }) {
-  const ratios = rows.map((row) => compareFastest(row, target));
+  if (rows.length === 0) return;
+  const ratios = ours.map((name) => rows.map((row) => compareFastest(row, name, target)));
+  const what =
+    target === keepsSmall ? 'E of 1, each small thing with three quarters of its contrast or more' : `E of ${target}`;
   printTable(
-    `Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`,
+    `Time to ${what}, ${size} x ${size} pixels: ms (steps; ours × the most substeps, rays, and max-error where it is not E); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`,
     rows.map(({ volume, transferFunction, results }, i) => ({
       volume,
       'transfer function': transferFunction,
       ...Object.fromEntries(
-        Object.entries(results).map(([name, result]) => [name, notify(result, target, rows[i].isLit)]),
+        Object.entries(results).map(([name, result]) => [name, describe(result, target, rows[i].isLit)]),
       ),
-      'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
+      ...Object.fromEntries(
+        ours.map((name, at) => [`fastest peer / ${name}`, ratios[at][i]?.toFixed(2) ?? 'none counts']),
+      ),
     })),
   );
-  const known = ratios.filter((ratio) => ratio !== null);
-  if (known.length === 0) return console.log('no peer counts in any scene\n');
-  console.log(
-    `fastest peer / ours: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`,
-  );
+  for (const [at, name] of ours.entries()) {
+    const known = ratios[at].filter((ratio) => ratio !== null);
+    console.log(
+      known.length === 0
+        ? `no peer counts in any scene (${name})\n`
+        : `fastest peer / ${name}: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`,
+    );
+  }
 }
 
-/** @param {import('./peers-page.ts').PeerResult} result @param {number} target @param {boolean} isLit */
-function notify({ fromReference, reached, fixedMs }, target, isLit) {
+/** @param {import('./peers-page.ts').PeerResult} result @param {string} target @param {boolean} isLit */
+function describe({ fromReference, reached, fixedMs }, target, isLit) {
   const one = reached[target];
   const text =
     fixedMs === null
       ? one
-        ? `${one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})`
+        ? `${one.ms.toFixed(0)} (${describeSteps(one, target)})`
         : 'never'
       : `${fixedMs.toFixed(0)} (fixed)`;
   return (isLit || fromReference <= maxFromReference) && fixedMs === null ? text : `[${text}]`;
 }
 
+/** @param {import('./peers-page.ts').Reached} reached @param {string} target */
+function describeSteps({ steps, substeps, rays = 1, maxError }, target) {
+  const e = target === keepsSmall ? 1 : Number(target);
+  return [
+    substeps ? `${steps} × ${substeps}` : steps,
+    ...(rays < 1 ? [`${(100 * rays).toFixed(0)} %`] : []),
+    ...(maxError && maxError !== e ? [`max-error ${maxError}`] : []),
+  ].join(', ');
+}
+
 /**
- * The fastest peer that counts and reaches the error, over ours; null where there is none.
+ * The fastest peer that counts and reaches the target, over ours; null where there is none.
  * @param {import('./peers-page.ts').PeersRow} row
- * @param {number} target
+ * @param {string} name - which of ours
+ * @param {string} target
  */
-function compareFastest({ isLit, results: { ours, ...others } }, target) {
-  const own = ours.reached[target];
-  const times = Object.values(others)
-    .filter(({ fromReference }) => isLit || fromReference <= maxFromReference)
-    .map(({ reached }) => reached[target]?.ms ?? Infinity);
+function compareFastest({ isLit, results }, name, target) {
+  const own = results[name].reached[target];
+  const times = Object.entries(results)
+    .filter(([other, { fromReference }]) => !ours.includes(other) && (isLit || fromReference <= maxFromReference))
+    .map(([, { reached }]) => reached[target]?.ms ?? Infinity);
   const fastest = Math.min(Infinity, ...times);
   return own && Number.isFinite(fastest) ? fastest / own.ms : null;
 }
