@@ -9,7 +9,8 @@ import { plainAppearance } from '../model/plain-appearance.ts';
 import type { QualityFinding } from './chosen-level.ts';
 
 /**
- * What was found of a picture, and with it what the form of its volume leaves. More steps can't mend that, so they are chosen before, by their own error.
+ * What was found of a picture, and with it what the form of its volume leaves. More steps can't mend that, so they are chosen before, by their own error:
+ * see `ViewQuality`.
  * @param seen - what is visible now
  */
 export async function includeLoss<T extends QualityFinding>(

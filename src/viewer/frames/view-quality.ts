@@ -44,6 +44,9 @@ export function cutsOfLevels(oneAVoxel: number, maxError: number | null): LevelC
 /** A little more than the error of rounding to 8 bits, whatever the steps: RMS, 1/255. */
 const aboveRounding = 1.2 / Math.sqrt(12);
 
+/** Where bricks that are not there hide more, steps may have this share of what they hide: less would not be seen, and takes long. */
+const shareOfHidden = 0.25;
+
 /** Numbers of steps that measure how the error of pictures in motion falls: such pictures have them where time is short. */
 const inMotion = [32, 128] as const;
 
@@ -93,7 +96,7 @@ export class ViewQuality {
   /** The same where nothing small may be lost. */
   async chooseUsual(): Promise<ChosenLevel | null> {
     const {
-      view: { scene, grid, goesOn },
+      view: { scene, grid, volume, goesOn },
       asked: { maxError },
     } = this;
     const probe = this.#probe;
@@ -110,7 +113,7 @@ export class ViewQuality {
         const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
         return estimate && this.#discount(estimate); // The estimate is also null where the context was lost meanwhile.
       },
-      maxError,
+      Math.max(maxError, shareOfHidden * (volume?.finer?.error?.rms ?? 0)),
     );
     if (choice) this.remember(choice.level);
     const found = choice && (await this.#state(choice.level));

@@ -99,6 +99,9 @@ const look = {
   'camera-orbit': '30deg 65deg 150',
 };
 
+/** Steps along the diagonal of 128 voxels. */
+const oneAVoxel = 222;
+
 /** Of 128 voxels, with steps by `max-error`. */
 const fromAfar = { 'transfer-function': look['transfer-function'], 'camera-orbit': '30deg 65deg 300' };
 
@@ -153,9 +156,10 @@ describe('a pyramid in bricks on a page', () => {
       const errorOf = ({ shown }: typeof few): number => compareCovered(shown, whole, 1, 3).rms;
       const stated = ({ stats }: typeof few): number => stats.error!.rms;
       console.log(
-        `${name}: ${[enough, few].map((one) => `${errorOf(one).toFixed(2)}, stated ${stated(one).toFixed(2)}, ${JSON.stringify(one.stats.bricks)}`).join('; ')}`,
+        `${name}: ${[enough, few].map((one) => `${errorOf(one).toFixed(2)}, stated ${stated(one).toFixed(2)}, ${one.stats.steps} × ${one.stats.substeps} steps, ${JSON.stringify(one.stats.bricks)}`).join('; ')}`,
       );
       expect(errorOf(few), 'few bricks').to.be.above(5);
+      expect(few.stats.steps * few.stats.substeps, 'steps where bricks hide more').to.equal(oneAVoxel);
       expect(stated(few) / errorOf(few)).to.be.within(1 / 2, 2);
       expect(stated(enough)).to.be.below(stated(few) / 2);
       expect(errorOf(enough)).to.be.at.most(3 + 1.5 * stated(enough));
