@@ -1,4 +1,6 @@
 // In the browser: how many pixels of a picture at rest need a ray, and what is lost where the others are interpolated.
+import { countSamples } from './count-samples.ts';
+import type { SamplesResult } from './count-samples.ts';
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import type { Camera } from '../../src/optics/rays/camera.ts';
@@ -7,6 +9,7 @@ import { sparingTools } from '../helpers/sparing-tools.ts';
 import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
 import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { boundingSphere, edgeLengths, finestSpacing, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -52,6 +55,27 @@ function cameraOf({ theta, phi }: CountScene, { grid }: Volume, pixelsPerVoxel: 
   return orbitCamera(orbit, boundingSphere(grid).center, 2 * Math.atan(half / radius));
 }
 
+/** Of scenes without light: how many samples of a picture of the whole volume are needed. */
+export async function countTaken(name: string, errors: readonly number[]): Promise<SamplesResult[]> {
+  const scene = countScenes.find((one) => one.name === name)!;
+  if (scene.litFactor) return [];
+  const { volume } = await scene.make();
+  const camera = cameraOf(scene, volume, size / (1.2 * Math.max(...volume.grid.dimensions)));
+  const view = { view: viewMatrix(camera), projection: projectionMatrix(camera.fieldOfView, 1, 1, 2) };
+  return countSamples({ name, volume, ...(await appearanceOf(scene, volume)), ...view }, errors);
+}
+
+async function appearanceOf(
+  { transferFunction: text, litFactor }: CountScene,
+  volume: Volume,
+): Promise<{ transferFunction: TransferFunction; referenceLength: number }> {
+  const window = windowFromHistogram(volume.histogram);
+  return {
+    transferFunction: text === null ? buildDefaultPreset(window) : await readTransferFunction(text, window),
+    referenceLength: (0.01 * Math.max(...edgeLengths(volume.grid))) / (litFactor ?? 1),
+  };
+}
+
 export async function countRays(
   name: string,
   sizes: readonly number[],
@@ -60,12 +84,8 @@ export async function countRays(
   const scene = countScenes.find((one) => one.name === name)!;
   const { volume, bare, places } = await scene.make();
   const gl = new StudyGl();
-  const window = windowFromHistogram(volume.histogram);
-  const { transferFunction: text, litFactor } = scene;
-  const appearance = {
-    transferFunction: text === null ? buildDefaultPreset(window) : await readTransferFunction(text, window),
-    referenceLength: (0.01 * Math.max(...edgeLengths(volume.grid))) / (litFactor ?? 1),
-  };
+  const { litFactor } = scene;
+  const appearance = await appearanceOf(scene, volume);
   await gl.prepare({ volume, ...appearance }, litFactor ? { lit: true } : null);
   const results: CountResult[] = [];
   for (const pixelsPerVoxel of sizes) {

@@ -1,5 +1,5 @@
 // `npm run accuracy -- count`: how many pixels of a picture at rest need a ray, by the pixels of a voxel and `max-error`, and what is lost where the
-// others are interpolated. SCENES=mri,tips takes the scenes with these words in their names; SIZES=2,7
+// others are interpolated; then, how many of the samples on its rays are needed. SCENES=mri,tips takes the scenes with these words in their names; SIZES=2,7
 // other pixels of a voxel than 8, ERRORS=1,8 other values of `max-error` than 1.
 import { formatTable } from '../bench/table.mjs';
 import { chooseScenes } from './choose-scenes.mjs';
@@ -9,6 +9,9 @@ const numbersOf = (/** @type {string} */ list) => list.split(',').map(Number);
 
 /** Pixels of a voxel, and `max-error`. */
 const { SIZES = '8', ERRORS = '1' } = process.env;
+
+/** Values of `max-error` for which samples are counted. */
+const errorsOfSamples = [16, 8, 4, 2, 1, 0.5];
 
 /** Of a short run every so manieth scene is taken. */
 const few = 4;
@@ -22,6 +25,7 @@ export const run = ({ quick }) =>
     const from = '/test/accuracy/count-page.ts';
     const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listCounted()), from);
     const rows = [];
+    const taken = [];
     for (const name of chooseScenes(all, quick && few)) {
       const results = await page.evaluate(
         async ({ module, scene, sizes, errors }) => {
@@ -32,11 +36,31 @@ export const run = ({ quick }) =>
         { module: from, scene: name, sizes: numbersOf(SIZES), errors: numbersOf(ERRORS) },
       );
       rows.push(...results.map(describe));
+      const samples = await page.evaluate(
+        async ({ module, scene, errors }) => {
+          const { countTaken } = /** @type {typeof import('./count-page.ts')} */ (await import(module));
+          return countTaken(scene, errors);
+        },
+        { module: from, scene: name, errors: errorsOfSamples },
+      );
+      taken.push(...samples.map(describeSamples));
       if (process.env.ROWS === '1')
         for (const row of rows.slice(-results.length)) console.log(Object.values(row).join(' | '));
     }
-    return { 'counted-rays': formatTable(rows) };
+    return { 'counted-rays': formatTable(rows), 'counted-samples': formatTable(taken) };
   });
+
+/** @param {import('./count-samples.ts').SamplesResult} result */
+function describeSamples({ name, maxError, byCells, byLight, needed }) {
+  const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(0)} %`;
+  return {
+    scene: name,
+    'max-error': maxError,
+    'by cells': percent(byCells),
+    'by cells and light': percent(byLight),
+    needed: needed === null ? 'more' : percent(needed),
+  };
+}
 
 /** @param {import('./count-page.ts').CountResult} result */
 function describe({ name, pixelsPerVoxel, maxError, share, e, max, things }) {
