@@ -21,8 +21,11 @@ export interface StatedResult {
   readonly uncertain: number;
 }
 
-/** @param count - of scenes @param notify - what is being done */
-export async function measureStated(count: number, notify: (what: string) => void): Promise<StatedResult[]> {
+/** @param count - of scenes @param detail - the attribute @param notify - what is being done */
+export async function measureStated(
+  { count, detail }: { readonly count: number; readonly detail: string },
+  notify: (what: string) => void,
+): Promise<StatedResult[]> {
   const gl = new StudyGl();
   const results: StatedResult[] = [];
   const sources = new Map<Volume, string>();
@@ -34,6 +37,7 @@ export async function measureStated(count: number, notify: (what: string) => voi
       'transfer-function': transferFunction,
       'value-window': volume.range.join(' '),
       'max-error': String(maxError),
+      detail,
     };
     const element = placeElement({ src, sight, pixels, ratio: 1, attributes });
     const { data, stats } = await takeAtRest(element, pixels);

@@ -1,8 +1,10 @@
 // `npm run accuracy -- stated`: whether what the element says of its errors is true, in random scenes of all kinds.
-// COUNT=25 takes so many scenes; ROWS=1 prints each.
+// COUNT=25 takes so many scenes; ROWS=1 prints each; DETAIL=free lets small things go, see `detail`.
 import { formatTable, printTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { isKept, sumUp } from './sum-up-stated.mjs';
+
+const { DETAIL: detail = 'keep' } = process.env;
 
 /** Scenes of a run. */
 const usual = { full: 100, quick: 20 };
@@ -13,18 +15,19 @@ const usual = { full: 100, quick: 20 };
 export const run = ({ quick }) =>
   measureTables({ quick }, async ({ page }) => {
     const results = await page.evaluate(
-      async ({ from, scenes }) => {
+      async ({ from, count, detail }) => {
         const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
-        return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
+        return measureStated({ count, detail }, (what) => /** @type {any} */ (window).sayProgress(what));
       },
       {
         from: '/test/accuracy/stated-page.ts',
-        scenes: Number(process.env.COUNT ?? (quick ? usual.quick : usual.full)),
+        count: Number(process.env.COUNT ?? (quick ? usual.quick : usual.full)),
+        detail,
       },
     );
     if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
     return {
-      'stated-random': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))),
+      [detail === 'keep' ? 'stated-random' : `stated-random-${detail}`]: formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))),
     };
   });
 
