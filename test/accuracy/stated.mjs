@@ -27,7 +27,9 @@ export const run = ({ quick }) =>
     );
     if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
     return {
-      [detail === 'keep' ? 'stated-random' : `stated-random-${detail}`]: formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))),
+      [detail === 'keep' ? 'stated-random' : `stated-random-${detail}`]: formatTable(
+        groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) })),
+      ),
     };
   });
 
