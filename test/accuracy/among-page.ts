@@ -37,6 +37,9 @@ export interface AmongResult {
   readonly uncertain: number | null;
 }
 
+/** Things count that stand out by this many times `max-error`. */
+const countsPerError = 8;
+
 const stepsPerVoxel = 4;
 
 /** Pixels at the first angle that are cast with twice the steps too. */
@@ -48,6 +51,8 @@ interface HowMeasured {
   readonly angles: number;
   /** Whether some rays are held against such with twice the steps. */
   readonly doubts?: boolean;
+  /** The attribute; things count that stand out by eight times as much. */
+  readonly maxError?: number;
   /** More of an element's attributes. */
   readonly attributes?: Readonly<Record<string, string>>;
   readonly notify?: (what: string) => void;
@@ -70,10 +75,11 @@ interface Looked {
 /** @param name - of a scene */
 export async function measureAmong(
   name: string,
-  { angles, doubts = false, attributes, notify }: HowMeasured,
+  { angles, doubts = false, maxError = 1, attributes, notify }: HowMeasured,
 ): Promise<AmongResult> {
   const scene = amongScenes.find((one) => one.name === name)!;
-  const { view, reach, minContrast, fewest, kind, whole } = scene;
+  const { view, reach, fewest, kind, whole } = scene;
+  const minContrast = Math.max(scene.minContrast, countsPerError * maxError);
   const made = scene.make();
   const volume = made.block.toVolume();
   const places = made.places.map((place): Vector3 => transformPoint(volume.grid.indexToWorld, place));
@@ -86,7 +92,12 @@ export async function measureAmong(
     placeElement({
       src: serveVolume(one),
       sight: sightOf(volume, view, 0),
-      attributes: { ...scene.attributes, ...attributes, 'transfer-function': scene.transferFunction! },
+      attributes: {
+        'max-error': String(maxError),
+        ...scene.attributes,
+        ...attributes,
+        'transfer-function': scene.transferFunction!,
+      },
       children: scene.children,
       ...view,
     }),
