@@ -8,7 +8,7 @@ const { version } = JSON.parse(readFileSync('package.json', 'utf8')) as { versio
 const asModule = '<script type="module" src="/dist/volume-view.js"></script>';
 const asScript = '<script src="/dist/volume-view.iife.js"></script>';
 const legendAlone = '<script type="module" src="/dist/volume-legend.js"></script>';
-const warning = /^warning: <volume-view> of volume-view \S+ was not defined: the page has 9\.9\.9 already\./;
+const warning = /^warning: <volume-view> of volume-view \S+ is left out: the page has 9\.9\.9 already\./;
 
 async function expectAll(page: Page): Promise<void> {
   await settle(page);
