@@ -14,6 +14,7 @@ import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { ErrorSum } from '../helpers/covered-error.ts';
+import { buildCells } from './finer-cells.ts';
 
 /** Rays along each side. */
 const side = 48;
@@ -36,6 +37,9 @@ const [lostPerError, longFrom] = [10, 2];
 /** A pixel may be off by so many times `max-error`: of a thing that stands out by eight, a quarter has to be left. */
 const mostPerError = 6;
 
+/** Voxels along each edge of the smaller cells. */
+const smallCell = 4;
+
 /** Where less light is left, more may be lost: in this many halves of it. */
 const halves = 10;
 
@@ -46,6 +50,9 @@ export interface SamplesResult {
   readonly byCells: number;
   /** The same, where bounds count for the light that is left. */
   readonly byLight: number;
+  /** The same, by the bounds of cells of four voxels along each edge, and with the light that is left, too. */
+  readonly bySmallCells: number;
+  readonly bySmallCellsAndLight: number;
   /** About as few as can be: found with the truth at hand, steps from the eye on as long as each may be. null where none of the pictures that were tried is good enough. */
   readonly needed: number | null;
 }
@@ -58,6 +65,8 @@ interface Walk {
   readonly gathered: Float64Array;
   /** The cell of each voxel's step; -1 where nothing is visible. */
   readonly cells: readonly number[];
+  /** The same of smaller cells. */
+  readonly smallCells: readonly number[];
 }
 
 export interface CountedView {
@@ -71,23 +80,41 @@ export interface CountedView {
 
 export function countSamples(shown: CountedView, errors: readonly number[]): SamplesResult[] {
   const { name, volume, transferFunction, referenceLength } = shown;
-  const cells = findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume);
-  const seen: SeenVolume = { volume, cells, transferFunction, opticalScale: 1 / referenceLength };
-  const { walks, attenuateSpan } = walkRays(shown, cells);
-  const all = walks.reduce((sum, walk) => sum + countBy(walk, () => 1), 0);
+  const [seen, seenSmall] = [volume.macrocells, buildCells(volume.samples, volume.grid.dimensions, smallCell)].map(
+    (macrocells): SeenVolume => ({
+      volume: { ...volume, macrocells },
+      cells: findSeenCells(macrocells, [contributionOf(transferFunction)], volume),
+      transferFunction,
+      opticalScale: 1 / referenceLength,
+    }),
+  );
+  const { walks, attenuateSpan } = walkRays(shown, seen, seenSmall);
+  const all = walks.reduce((sum, walk) => sum + countBy(walk, 'cells', () => 1), 0);
   const pictures = tried.map((allowed) => takeFewest(walks, attenuateSpan, allowed));
   return errors.map((maxError) => {
-    const codes = Array.from({ length: halves + 1 }, (_, i) =>
-      findDetail(seen, Math.min(1, (2 ** i * lostPerError * maxError) / 255), maxError >= longFrom),
-    );
-    const by = (choose: (light: number) => Uint8Array): number =>
-      walks.reduce((sum, walk) => sum + countBy(walk, (cell, light) => samplesOf(choose(light)[cell])), 0) / all;
+    const codesOf = (of: SeenVolume): Uint8Array[] =>
+      Array.from({ length: halves + 1 }, (_, i) =>
+        findDetail(of, Math.min(1, (2 ** i * lostPerError * maxError) / 255), maxError >= longFrom),
+      );
+    const count = (kind: CellKind, codes: readonly Uint8Array[]): { all: number; byLight: number } => {
+      const by = (choose: (light: number) => Uint8Array): number =>
+        walks.reduce((sum, walk) => sum + countBy(walk, kind, (cell, light) => samplesOf(choose(light)[cell])), 0) /
+        all;
+      return {
+        all: by(() => codes[0]),
+        byLight: by((light) => codes[Math.min(halves, Math.max(0, Math.floor(-Math.log2(light))))]),
+      };
+    };
+    const usual = count('cells', codesOf(seen));
+    const small = count('smallCells', codesOf(seenSmall));
     const kept = pictures.filter(({ e, max }) => e <= maxError && max <= mostPerError * maxError);
     return {
       name,
       maxError,
-      byCells: by(() => codes[0]),
-      byLight: by((light) => codes[Math.min(halves, Math.max(0, Math.floor(-Math.log2(light))))]),
+      byCells: usual.all,
+      byLight: usual.byLight,
+      bySmallCells: small.all,
+      bySmallCellsAndLight: small.byLight,
       needed: kept.length > 0 ? Math.min(...kept.map(({ samples }) => samples)) / all : null,
     };
   });
@@ -101,8 +128,10 @@ function samplesOf(code: number): number {
 /** Light left at a sample. */
 const lightAt = ({ gathered }: Walk, sample: number): number => 1 - gathered[4 * sample + 3];
 
-function countBy(walk: Walk, samples: (cell: number, light: number) => number): number {
-  return walk.cells.reduce(
+type CellKind = 'cells' | 'smallCells';
+
+function countBy(walk: Walk, kind: CellKind, samples: (cell: number, light: number) => number): number {
+  return walk[kind].reduce(
     (sum, cell, step) => sum + (cell < 0 ? 0 : samples(cell, lightAt(walk, step * trueSamples))),
     0,
   );
@@ -112,18 +141,19 @@ type Span = (from: number, to: number, voxels: number) => Premultiplied;
 
 function walkRays(
   { volume, transferFunction, referenceLength, view, projection }: CountedView,
-  cells: Uint8Array,
+  seen: SeenVolume,
+  seenSmall: SeenVolume,
 ): { walks: Walk[]; attenuateSpan: Span } {
-  const { grid, macrocells } = volume;
+  const { grid } = volume;
   const setup = setUpRays(grid, view, projection)!;
   const field = cartesianField({ ...volume, dimensions: grid.dimensions });
   const means = exactMeans(transferFunction);
   const voxel = finestSpacing(grid);
   const attenuateSpan: Span = (from, to, voxels) => attenuate(means.mean(from, to), (voxels * voxel) / referenceLength);
-  const cellAt = (place: Vector3): number => {
+  const cellAt = (place: Vector3, { volume: { macrocells }, cells }: SeenVolume): number => {
     const at = place.map((x, axis) => {
       const index = Math.min(grid.dimensions[axis] - 1, Math.max(0, x * grid.dimensions[axis] - 0.5));
-      return Math.min(macrocells.dimensions[axis] - 1, Math.floor(index / cellSize));
+      return Math.min(macrocells.dimensions[axis] - 1, Math.floor(index / (macrocells.size ?? cellSize)));
     });
     const cell = at[0] + macrocells.dimensions[0] * (at[1] + macrocells.dimensions[1] * at[2]);
     return cells[cell] ? cell : -1;
@@ -138,10 +168,13 @@ function walkRays(
       const steps = Math.floor((exit - begin) / stepT);
       if (steps < 1) continue;
       const placeAt = (t: number): Vector3 => placeOn(ray, t);
-      const [values, gathered, cellOf] = [[field.sampleAt(placeAt(begin)).value], [0, 0, 0, 0], [] as number[]];
+      const [values, gathered] = [[field.sampleAt(placeAt(begin)).value], [0, 0, 0, 0]];
+      const [cells, smallCells]: number[][] = [[], []];
       for (let step = 0; step < steps && 1 - gathered[gathered.length - 1] > lastLight; step++) {
-        const cell = cellAt(placeAt(begin + (step + 0.5) * stepT));
-        cellOf.push(cell);
+        const middle = placeAt(begin + (step + 0.5) * stepT);
+        const cell = cellAt(middle, seen);
+        cells.push(cell);
+        smallCells.push(cellAt(middle, seenSmall));
         for (let i = 1; i <= trueSamples; i++) {
           const { value } = field.sampleAt(placeAt(begin + (step + i / trueSamples) * stepT));
           const sum = gathered.slice(-4) as Premultiplied;
@@ -150,7 +183,7 @@ function walkRays(
           gathered.push(...sum);
         }
       }
-      walks.push({ values: Float64Array.from(values), gathered: Float64Array.from(gathered), cells: cellOf });
+      walks.push({ values: Float64Array.from(values), gathered: Float64Array.from(gathered), cells, smallCells });
     }
   }
   return { walks, attenuateSpan };

@@ -51,13 +51,15 @@ export const run = ({ quick }) =>
   });
 
 /** @param {import('./count-samples.ts').SamplesResult} result */
-function describeSamples({ name, maxError, byCells, byLight, needed }) {
+function describeSamples({ name, maxError, byCells, byLight, bySmallCells, bySmallCellsAndLight, needed }) {
   const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(0)} %`;
   return {
     scene: name,
     'max-error': maxError,
     'by cells': percent(byCells),
     'by cells and light': percent(byLight),
+    'by cells of 4': percent(bySmallCells),
+    'and light': percent(bySmallCellsAndLight),
     needed: needed === null ? 'more' : percent(needed),
   };
 }

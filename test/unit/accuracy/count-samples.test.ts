@@ -37,7 +37,7 @@ describe('samples that are needed', () => {
     }
   });
 
-  it('are more in noise and for a smaller error, and never more than bounds ask for', () => {
+  it('are more in noise and for a smaller error, never more than bounds ask for, and fewer by smaller cells around a speck', () => {
     const random = randomNumbers(3);
     const ramp = '0 #234 0, 30 #48c 2%, 140 #c96 20%, 255 white 40%';
     const noise = count(() => 255 * random(), ramp);
@@ -47,6 +47,12 @@ describe('samples that are needed', () => {
       expect(needed!, `at ${maxError}`).to.be.below(byLight);
       expect(byLight, `at ${maxError}`).to.be.at.most(byCells);
     }
+    const dot = count(
+      (i, j, k) => (i === 14 && j === 14 && k === 14 ? 255 : 0),
+      '0 #fff 0, 100 #fff 0, 200 #fff 40%, 255 #fff 40%',
+    );
+    for (const { bySmallCells, byCells, maxError } of dot)
+      expect(bySmallCells, `a speck, at ${maxError}`).to.be.below(0.5 * byCells);
     expect(noise[1].needed).to.be.above(noise[0].needed!);
     expect(noise[1].byLight, 'light behind noise').to.be.below(noise[1].byCells);
   });
