@@ -24,14 +24,14 @@ const enoughCovered = 256;
  * This many covered probes include one pixel in a thousand: with fewer, they miss all such pixels in more than one of twenty cases. If
  * matter is opaque, these pixels are much of the error.
  */
-const enoughOpaque = 3000;
+const enoughRare = 3000;
 
 /** At most this many probes are placed. */
 const maxProbes = 2 ** 16;
 
 /** The factor by which the number of probes should grow, if so many of all met something; 1 if they are enough. */
-export function moreProbes(covered: number, all: number, isOpaque = false): number {
-  return Math.max(1, Math.min((isOpaque ? enoughOpaque : enoughCovered) / Math.max(1, covered), maxProbes / all));
+export function moreProbes(covered: number, all: number, hasRare = false): number {
+  return Math.max(1, Math.min((hasRare ? enoughRare : enoughCovered) / Math.max(1, covered), maxProbes / all));
 }
 
 /** A picture with at most this many pixels is probed at all of them if one may be much of the error. */
@@ -48,16 +48,16 @@ const begins: readonly (readonly [number, number])[] = [
 
 /**
  * The pixels at which a picture is probed, all in a rectangle: two lattices with different distances, or every pixel.
- * @param isOpaque - whether a single voxel may hide what is behind it: a ray that grazes it is much of a small picture's
+ * @param hasRare - whether a few pixels may be much of the error: where a single voxel may hide what is behind it, a ray that grazes it is much of a small picture's
  *   error, and a lattice seldom meets it
  * @param times - factor of the usual number, see `moreProbes`
  */
 export function placeProbes(
   { left, bottom, width, height }: PixelRectangle,
-  isOpaque: boolean,
+  hasRare: boolean,
   times = 1,
 ): PixelLattice[] {
-  if (isOpaque && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
+  if (hasRare && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
   const count = times * Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
   const even = Math.sqrt((begins.length * width * height) / count) - longer / 2;
   const stride = times > 1 ? Math.ceil(even) : Math.round(even);

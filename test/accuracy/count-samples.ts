@@ -14,7 +14,7 @@ import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { ErrorSum } from '../helpers/covered-error.ts';
-import { buildCells } from './finer-cells.ts';
+import { buildCells } from './small-cells.ts';
 
 /** Rays along each side. */
 const side = 48;

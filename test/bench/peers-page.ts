@@ -1,53 +1,25 @@
 // In the browser: time to a picture of a given error, ours and other renderers'.
-import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
-import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { fogMaterial } from '../../src/optics/transfer/lights.ts';
-import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { cutSteps } from '../../src/quality/levels.ts';
-import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { maxSubsteps } from '../../src/optics/rays/segment.ts';
-import { ViewQuality } from '../../src/viewer/frames/view-quality.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
-import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
-import { changePlan } from '../helpers/change-plan.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
-import { litStages } from '../helpers/lit.ts';
 import { findFewest, listCounts } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
+import { startOurs } from './own-peer.ts';
+import { castReference, findLimit, viewRays } from './peer-limit.ts';
+import type { Limit } from './peer-limit.ts';
+import { drawPicture } from './peer.ts';
+import type { Peer, Shown } from './peer.ts';
 import { alignPlace, alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
 import type { QualityOptions } from './quality-page.ts';
 import { median } from './table.mjs';
 import '../helpers/provide-substeps.ts';
-
-/** A renderer with a scene, see peers/README.md. */
-interface Peer {
-  readonly gl: WebGL2RenderingContext;
-  readonly isFixed?: boolean;
-  readonly parallel?: { readonly target: Vector3; readonly halfHeight: number };
-  setSize(pixels: number): void;
-  draw(stepLength: number): void;
-  dispose(): void;
-  /** Ours: the picture at rest for this `max-error` and `detail` is drawn until the size is set, whatever step length is asked for. */
-  choose?(maxError: number, isFree: boolean): Promise<ChosenPicture>;
-}
-
-/** How our picture at rest is drawn. */
-interface ChosenPicture {
-  readonly steps: number;
-  readonly substeps: number;
-  /** Share of the pixels that get rays. */
-  readonly rays: number;
-}
 
 /** What keeps an error, and its time. */
 export interface Reached extends FoundSteps {
@@ -119,23 +91,11 @@ const ours: readonly (readonly [string, boolean])[] = [
 /** Peers that light by gradients as we do; the same light and material go to each. */
 const litPeers: readonly string[] = ['vtk'];
 
-/**
- * Steps of a renderer's own limit: of these the largest number whose picture is about as near to the reference as any, as
- * some lose digits in very many steps. Pictures with up to half of them are compared with it.
- */
-const limitSteps: readonly number[] = [1024, 2048, 4096, 8192];
-
 /** Lit, a peer tends to another picture than the reference, which does not tell where digits are lost: it takes no more than these. */
 const maxLitSteps = 4096;
 
 /** Of ours: a step is one linear piece of the transfer function's integral, so these are many. */
 const maxOwnSteps = 2048;
-
-/** Distances from the reference that differ by less are the same: RMSE, 1/255. */
-const asNear = 0.25;
-
-/** Rays along each side of the picture on which a limit is held against the reference. */
-const referenceSide = 12;
 
 /** Of a picture that takes longer, one is drawn, ms. */
 const slow = 1000;
@@ -166,15 +126,6 @@ export async function comparePeers(options: PeersOptions, notify: (what: string)
     }
   }
   return rows;
-}
-
-/** What all renderers are to show. */
-interface Shown {
-  readonly volume: Volume;
-  readonly transferFunction: TransferFunction;
-  readonly isLit: boolean;
-  /** The same without its small things, and where these are in the world. */
-  readonly things?: { readonly bare: Volume; readonly places: readonly Vector3[] };
 }
 
 async function compareScene(
@@ -225,65 +176,6 @@ async function startPeer(host: HTMLElement, module: string, scene: PeerScene): P
     start: (host: HTMLElement, scene: PeerScene) => Promise<Peer>;
   };
   return start(host, scene);
-}
-
-/** The scene of `<volume-view>`, x3dom and all. */
-async function startOurs(
-  host: HTMLElement,
-  { volume, transferFunction, isLit, camera }: Shown & { camera: PeerCamera },
-): Promise<Peer> {
-  const scene = await VolumeScene.create(host, host, () => {});
-  await scene.prepare(volume);
-  scene.setVolume(volume);
-  await scene.setAppearance({
-    optics: {
-      transferFunction,
-      referenceLength: defaultReferenceLength(volume),
-      opacityFactor: 1,
-      lightFactor: 1,
-    },
-  });
-  if (isLit) await scene.setAppearance({ style: { lit: true } });
-  await scene.finished();
-  const { grid } = volume;
-  let chosen: Partial<typeof scene.plan> | null = null;
-  return {
-    gl: scene.canvas.getContext('webgl2')!,
-    setSize(pixels) {
-      chosen = null;
-      changePlan(scene, { picture: { width: pixels, height: pixels } });
-      changePlan(scene, { camera });
-    },
-    draw: (stepLength) => {
-      const finest = { steps: Math.round(stepsOfLength(volume, stepLength)), substeps: maxSubsteps };
-      changePlan(scene, chosen ?? { stepLength, substeps: cutSteps(finest, autoSteps(grid), 1), maxCurvature: 0 });
-      scene.draw();
-    },
-    async choose(maxError, isFree) {
-      const view = { scene, grid, size: scene.plan.picture, goesOn: () => true };
-      const quality = new ViewQuality(view, { steps: 'auto', maxError, isFree });
-      const found = await quality.choose();
-      if (!found) throw new Error('the view is gone');
-      const { steps, substeps, free } = found.level;
-      const { sampling = allRays, substeps: cut = quality.cuts.own(found.level) } = free ?? {};
-      chosen = { stepLength: stepLengthOf(grid, steps), substeps: cut, maxCurvature: sampling.maxCurvature };
-      return { steps, substeps, rays: sampling.share };
-    },
-    dispose: () => scene.dispose(),
-  };
-}
-
-function stepsOfLength({ grid }: Volume, stepLength: number): number {
-  return stepLengthOf(grid, 1) / stepLength;
-}
-
-/** A renderer's picture with very many steps. */
-interface Limit {
-  readonly steps: number;
-  /** The picture of the size at which the errors of peers are measured. */
-  readonly picture: Uint8Array;
-  /** RMSE, 1/255. */
-  readonly fromReference: number;
 }
 
 interface Measuring {
@@ -422,31 +314,6 @@ function leastOf(
   return least;
 }
 
-function findLimit(
-  peer: Peer,
-  { shown, reference, maxSteps }: { shown: Shown; reference: readonly number[]; maxSteps: number },
-  errorSize: number,
-): Limit {
-  peer.setSize(errorSize);
-  const pictures = (peer.isFixed ? [1] : limitSteps.filter((n) => n <= maxSteps)).map((steps): Limit => {
-    const picture = drawPicture(peer, stepLengthOf(shown.volume.grid, steps), errorSize);
-    const seen = referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]);
-    return { steps, picture, fromReference: rms(seen, reference) };
-  });
-  const min = Math.min(...pictures.map(({ fromReference }) => fromReference));
-  const near = pictures.filter(({ fromReference }) => fromReference <= min + asNear);
-  return near[near.length - 1];
-}
-
-/** RGBA over black, bottom row first. The context's own buffer is read in the task that drew it. */
-function drawPicture({ gl, draw }: Peer, stepLength: number, size: number): Uint8Array {
-  draw(stepLength);
-  const pixels = new Uint8Array(size * size * 4);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  return pixels;
-}
-
 /** Median time until the GPU has drawn a picture, ms: from the call to a pixel having been read. */
 function timePicture(draw: () => void, repeats: number): number {
   const time = (): number => {
@@ -458,57 +325,6 @@ function timePicture(draw: () => void, repeats: number): number {
   const first = time();
   if (first > slow) return first;
   return median([first, ...Array.from({ length: repeats - 1 }, time)]);
-}
-
-/** Root mean square difference of the colours, 1/255. */
-function rms(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  let sum = 0;
-  for (let i = 0; i < a.length; i++) if (i % 4 < 3) sum += (a[i] - b[i]) ** 2;
-  return Math.sqrt(sum / ((a.length * 3) / 4));
-}
-
-/** The rays of a perspective picture, or of the parallel one that a peer draws from the same side. */
-function viewRays(volume: Volume, camera: PeerCamera, parallel: Peer['parallel']): RaySetup {
-  const { theta, phi, distance, fieldOfView } = camera;
-  const from = parallel ? orbitCamera({ theta, phi, radius: distance }, parallel.target, fieldOfView) : camera;
-  const projection = parallel ? parallelProjection(parallel.halfHeight) : projectionMatrix(fieldOfView, 1, 1, 2);
-  const rays = setUpRays(volume.grid, viewMatrix(from), projection);
-  if (!rays) throw new Error('the volume is flat');
-  return rays;
-}
-
-function parallelProjection(halfHeight: number): Matrix4 {
-  return [1 / halfHeight, 0, 0, 0, 0, 1 / halfHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
-}
-
-/** Pixels that are compared with the reference: their indices in a picture. */
-function referencePixels(errorSize: number): number[] {
-  const places = Array.from({ length: referenceSide }, (_, i) => Math.floor(((i + 0.5) / referenceSide) * errorSize));
-  return places.flatMap((row) => places.map((column) => row * errorSize + column));
-}
-
-/** Steps per voxel of the reference: with one, small things are off by more than a renderer may be. */
-const referenceSteps = 4;
-
-/** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, four steps per voxel, with substeps. */
-function castReference({ volume, transferFunction, isLit }: Shown, rays: RaySetup, errorSize: number): number[] {
-  const { samples, slope, intercept } = volume;
-  const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = {
-    grid: volume.grid,
-    samples,
-    slope,
-    intercept,
-    ...looks,
-    stepLength: stepLengthOf(volume.grid, referenceSteps * autoSteps(volume.grid)),
-    ...(isLit && litStages(volume, transferFunction)),
-  };
-  const optics = opticsOf(scene);
-  const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
-  return referencePixels(errorSize).flatMap((at) => {
-    const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
-    return castSceneRay(scene, rays, ray, optics).map((channel) => channel * 255);
-  });
 }
 
 function toDataUrl(pixels: Uint8Array, size: number): string {

@@ -266,9 +266,9 @@ export class ErrorProbe {
   *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
     if (this.lattices) return yield* this.#drawAt(this.lattices, steps, substeps);
     const opaque = isOpaque(this.scene);
-    const hasRare = opaque || this.view.losesSmall;
+    const hasRare = opaque || this.view.losesSmall === true;
     const place = (times: number): PixelLattice[] =>
-      this.rectangle ? placeProbes(this.rectangle, !!hasRare, times) : [];
+      this.rectangle ? placeProbes(this.rectangle, hasRare, times) : [];
     const lattices = place(1);
     const picture = yield* this.#drawAt(lattices, steps, substeps);
     const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, hasRare) : 1;
