@@ -7,7 +7,6 @@ import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureDifference } from './compare-pictures.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
-import { cellSize } from '../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { comparePictures } from './compare-pictures.ts';
@@ -219,7 +218,7 @@ function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }
   const taken = { samples: 0, steps: 0 };
   const valueAt = (point: Vector3): number => {
     const [i, j, k] = point.map((p, axis) =>
-      Math.min(cells[axis] - 1, Math.max(0, Math.floor((p * dimensions[axis]) / cellSize))),
+      Math.min(cells[axis] - 1, Math.max(0, Math.floor((p * dimensions[axis]) / macrocells.size))),
     );
     if (rings[i + cells[0] * (j + cells[1] * k)] === 0) taken.samples++;
     return interpolate(samples, dimensions, point);

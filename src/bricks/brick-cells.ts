@@ -1,4 +1,4 @@
-import { cellSize, offLine } from '../volume/cell-size.ts';
+import { offLine } from '../volume/cell-size.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
@@ -61,7 +61,7 @@ export class BrickCells {
     const finest = finestSpacing(layout.finest);
     this.#lengths = layout.levels.map((level) => finestSpacing(gridOfLevel(volume.grid, level)) / finest);
     this.#length = finestSpacing(volume.grid) / finest;
-    this.#own = measureVolume(volume, chooseSize(volume.grid.dimensions, layout.finest.dimensions));
+    this.#own = measureVolume(volume, chooseSize(volume, layout.finest.dimensions));
     const { low, high, roughness } = this.#own;
     this.macrocells = {
       ...this.#own,
@@ -127,7 +127,7 @@ export class BrickCells {
   #boxOf(at: number, [cx, cy]: Vector3): readonly [Vector3, Vector3] {
     const cell = [at % cx, Math.floor(at / cx) % cy, Math.floor(at / (cx * cy))];
     const { dimensions } = this.volume.grid;
-    const edge = (n: number, axis: number): number => Math.min(1, (n * this.macrocells.size!) / dimensions[axis]);
+    const edge = (n: number, axis: number): number => Math.min(1, (n * this.macrocells.size) / dimensions[axis]);
     return [
       cell.map((n, axis) => edge(n + rounding, axis)),
       cell.map((n, axis) => edge(n + 1 - rounding, axis)),
@@ -184,7 +184,7 @@ export class BrickCells {
       if (cell <= 0) return 0;
       if (cell >= cells[axis]) return dimensions[axis] - 1;
       const place = (cell * brickSide - shift[axis]) / scale[axis];
-      return Math.floor((place * voxels[axis]) / size!);
+      return Math.floor((place * voxels[axis]) / size);
     };
     const inside = (n: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, n));
     return [
@@ -194,12 +194,12 @@ export class BrickCells {
   }
 }
 
-/** The smallest size for which there are not too many cells, none below the size that those of the finest level have. */
-function chooseSize(dimensions: Vector3, finest: Vector3): number {
+/** The smallest size for which there are not too many cells; smaller than those of the volume only while they are no smaller than a block of a brick. */
+function chooseSize({ grid: { dimensions }, macrocells }: BrickCells['volume'], finest: Vector3): number {
   const voxels = Math.min(...dimensions.map((n, axis) => finest[axis] / n));
-  let size = cellSize;
+  let { size } = macrocells;
   const count = (edge: number): number => dimensions.reduce((product, n) => product * Math.ceil(n / edge), 1);
-  while ((size / 2) * voxels >= cellSize && count(size / 2) <= maxCells) size /= 2;
+  while ((size / 2) * voxels >= blockSide && count(size / 2) <= maxCells) size /= 2;
   return size;
 }
 
@@ -220,11 +220,10 @@ function add(found: Values, low: number, high: number, roughness: number): void 
 
 /** Macrocells of a volume of any size. The roughness is that of the larger cell in which one lies. */
 function measureVolume({ grid, samples, macrocells }: BrickCells['volume'], size: number): Macrocells {
-  if (size === cellSize) return { ...macrocells, size };
+  if (size === macrocells.size) return macrocells;
   const voxels = grid.dimensions;
-  const dimensions = voxels.map((n) => Math.ceil(n / size)) as unknown as Vector3;
-  const cells = emptyMacrocells(samples, dimensions);
-  const { low, high, roughness } = cells;
+  const cells = emptyMacrocells(samples, voxels, size);
+  const { dimensions, low, high, roughness } = cells;
   /** The first and the last voxel that interpolation in a cell reads. */
   const ends = dimensions.map((count, axis) =>
     Array.from({ length: count }, (_, n) => [
@@ -232,7 +231,7 @@ function measureVolume({ grid, samples, macrocells }: BrickCells['volume'], size
       Math.min(voxels[axis] - 1, Math.ceil((n + 1) * size - 0.5)),
     ]),
   );
-  const large = (n: number): number => Math.floor((n * size) / cellSize);
+  const large = (n: number): number => Math.floor((n * size) / macrocells.size);
   const [lx, ly] = macrocells.dimensions;
   for (let z = 0, at = 0; z < dimensions[2]; z++)
     for (let y = 0; y < dimensions[1]; y++)
@@ -251,5 +250,5 @@ function measureVolume({ grid, samples, macrocells }: BrickCells['volume'], size
         const whole = macrocells.roughness[large(x) + lx * (large(y) + ly * large(z))];
         roughness[at] = max > min ? Math.min(whole, (max - min) / offLine) : 0;
       }
-  return { ...cells, size };
+  return cells;
 }

@@ -1,6 +1,5 @@
 // What bricks over a volume hide, learnt from those that have come.
 import { interpolate } from '../optics/rays/interpolate.ts';
-import { cellSize } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
@@ -273,10 +272,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
       grid: { dimensions },
       macrocells: {
         dimensions: [cx, cy, cz],
+        size,
       },
     } = this.volume;
     const index = (place: number, axis: number, count: number): number =>
-      Math.min(count - 1, Math.max(0, Math.floor((place * dimensions[axis]) / cellSize)));
+      Math.min(count - 1, Math.max(0, Math.floor((place * dimensions[axis]) / size)));
     return -1 - (index(x, 0, cx) + cx * (index(y, 1, cy) + cy * index(z, 2, cz)));
   }
 

@@ -5,11 +5,10 @@ import type { RaySetup } from '../optics/rays/rays.ts';
 import { composite } from '../optics/rays/segment.ts';
 import { evaluate } from '../optics/transfer/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from '../optics/transfer/transfer-function.ts';
-import { cellSize } from '../volume/cell-size.ts';
 import type { Volume } from '../volume/volume.ts';
 
-/** Steps that are cast at once: their places are less than a macrocell from the middle one. */
-const stepsAtOnce = cellSize / 2;
+/** Steps that are cast at once: their places are less than a macrocell from the middle one, also if cells are small. */
+const stepsAtOnce = 4;
 
 /** A ray whose opacity is above this shows nothing that comes behind. */
 const opaque = 0.9995;
@@ -40,7 +39,7 @@ export function findSeenCells(
           for (let y = Math.max(0, j - 1); y <= Math.min(cy - 1, j + 1); y++)
             near.fill(1, Math.max(0, i - 1) + cx * (y + cy * z), Math.min(cx - 1, i + 1) + 1 + cx * (y + cy * z));
       }
-  const [nx, ny, nz] = grid.dimensions.map((n) => n / cellSize);
+  const [nx, ny, nz] = grid.dimensions.map((n) => n / macrocells.size);
   const cellOf = (share: number, n: number, cells: number): number =>
     Math.min(cells - 1, Math.max(0, Math.floor(share * n)));
   return (x, y, z) => near[cellOf(x, nx, cx) + cx * (cellOf(y, ny, cy) + cy * cellOf(z, nz, cz))] === 1;

@@ -1,7 +1,6 @@
-import { cellSize, offLine } from '../volume/cell-size.ts';
+import { offLine } from '../volume/cell-size.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import { spansOfRings } from './polar-geometry.ts';
 import type { BeamSpan } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
@@ -36,7 +35,6 @@ interface Sector {
 /**
  * The range of every value that interpolation can give at a point of each cell of a polar volume's box. It is the range of all gates in
  * the smallest span of ranges, azimuths and elevations that contains the cell, and of the first gates around this span.
- * `cellSize` cells of its frame make one macrocell's edge.
  * @param onWork - called with the number of gates before they are read: few radials with many gates, or hundreds of sweeps, are much
  * work for a few bytes
  */
@@ -46,8 +44,8 @@ export function buildPolarMacrocells(
   onWork: (gates: number) => void = () => undefined,
 ): Macrocells {
   const { dimensions } = grid;
-  const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const { low, high, roughness } = emptyMacrocells(samples, cells);
+  const macrocells = emptyMacrocells(samples, dimensions);
+  const { dimensions: cells, size, low, high, roughness } = macrocells;
   const columns = grid.sweeps.map((sweep) => new SweepInColumn(sweep, samples));
   const spans = grid.sweeps.map(spanOfSweep);
   const gates: Gates = {
@@ -57,7 +55,7 @@ export function buildPolarMacrocells(
     spans,
     reaches: reachOfSweeps(grid, spans).map(({ elevations }) => elevations),
   };
-  const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
+  const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, cells[axis], size));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
       const [x, y] = [edges[0][i], edges[1][j]];
@@ -75,12 +73,12 @@ export function buildPolarMacrocells(
       }
     }
   }
-  return { dimensions: cells, low, high, roughness };
+  return macrocells;
 }
 
 /** Where each macrocell begins and ends along an axis, metres. */
-function cutEdge({ box }: PolarGrid, axis: number, voxels: number, cells: number): [number, number][] {
-  const cell = ((box.high[axis] - box.low[axis]) / voxels) * cellSize;
+function cutEdge({ box, dimensions }: PolarGrid, axis: number, cells: number, size: number): [number, number][] {
+  const cell = ((box.high[axis] - box.low[axis]) / dimensions[axis]) * size;
   return Array.from({ length: cells }, (_, i) => [
     box.low[axis] + (i - margin) * cell,
     Math.min(box.high[axis] + margin * cell, box.low[axis] + (i + 1 + margin) * cell),

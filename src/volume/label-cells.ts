@@ -1,4 +1,4 @@
-import { cellSize } from './cell-size.ts';
+import { chooseCellSize } from './cell-size.ts';
 import type { LabelMap } from './labels.ts';
 
 /** The labels that may occur at any point of each cell. */
@@ -16,7 +16,7 @@ export interface LabelCells {
  */
 export function* listLabels(
   { numbers, dimensions, ids }: LabelMap,
-  edge = cellSize,
+  edge = chooseCellSize(dimensions),
 ): Generator<number, LabelCells, void> {
   const [nx, ny] = dimensions;
   const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / edge));

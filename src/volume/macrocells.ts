@@ -1,4 +1,4 @@
-import { cellSize, offLine } from './cell-size.ts';
+import { chooseCellSize, offLine } from './cell-size.ts';
 import type { Vector3 } from './matrix.ts';
 import { alongX, alongY, alongZ, high as highOf, low as lowOf, measureRow, perCell, seam } from './measure-row.ts';
 import type { Measures, Row } from './measure-row.ts';
@@ -12,8 +12,8 @@ import type { Samples } from './samples.ts';
 export interface Macrocells {
   /** Cells along i, j and k. */
   readonly dimensions: Vector3;
-  /** Voxels along each edge of a cell, where that is not `cellSize`: less than one where finer voxels lie over the volume. */
-  readonly size?: number;
+  /** Voxels along each edge of a cell: less than one where finer voxels lie over the volume. */
+  readonly size: number;
   /** Smallest stored value of each cell, i fastest. */
   readonly low: Samples;
   /** Largest stored value of each cell. */
@@ -30,13 +30,19 @@ export interface Macrocells {
 /** A cell that is this rough, as a share of its range, gets a roughness that makes its whole range count. */
 const enough = 0.6;
 
-/** Cells without any value yet. */
-export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
+/**
+ * Cells without any value yet.
+ * @param voxels - along i, j and k
+ * @param size - voxels along each edge of a cell
+ */
+export function emptyMacrocells(samples: Samples, voxels: Vector3, size = chooseCellSize(voxels)): Macrocells {
+  const dimensions = voxels.map((n) => Math.ceil(n / size)) as unknown as Vector3;
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
   const [min, max] =
     samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
   return {
     dimensions,
+    size,
     low: allocateLike(samples, cells).fill(max),
     high: allocateLike(samples, cells).fill(min),
     roughness: new Float32Array(cells),
@@ -49,15 +55,16 @@ export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocel
  * - 1) - 2 v(i) + v(i + 1)|, stored units; beyond the grid the last sample is repeated. A difference counts if it bends
  * values of the cell: at the cell's own planes of voxels along that axis, and across it up to one voxel outside, so
  * that a voxel at a corner counts for all cells that meet there. Samples without data (NaN) are left out.
+ * @param size - voxels along each edge of a cell
  */
-export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
+export function buildMacrocells(samples: Samples, dimensions: Vector3, size = chooseCellSize(dimensions)): Macrocells {
   const [nx, ny, nz] = dimensions;
-  const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / cellSize));
-  const cells = emptyMacrocells(samples, [cx, cy, cz]);
+  const cells = emptyMacrocells(samples, dimensions, size);
+  const [cx, cy] = cells.dimensions;
   const found: Measures =
     samples instanceof Float32Array ? new Float64Array(perCell * cx) : new Int32Array(perCell * cx);
   const row: Row = { at: 0, end: 0, down: 0, up: 0, back: 0, forth: 0, ofY: 0, ofZ: 0 };
-  const [alongK, alongJ] = [splitAxis(nz), splitAxis(ny)];
+  const [alongK, alongJ] = [splitAxis(nz, size), splitAxis(ny, size)];
   for (const { from: k0, to: k1, cell: z, last: lastZ } of alongK) {
     for (const { from: j0, to: j1, cell: y, last: lastY } of alongJ) {
       const places: Place[] = [];
@@ -67,14 +74,14 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
       for (let k = k0; k < k1; k++) {
         row.back = k > 0 ? -nx * ny : 0;
         row.forth = k < nz - 1 ? nx * ny : 0;
-        row.ofZ = alongZ + Math.floor(k / cellSize) - z;
+        row.ofZ = alongZ + Math.floor(k / size) - z;
         for (let j = j0; j < j1; j++) {
           row.down = j > 0 ? -nx : 0;
           row.up = j < ny - 1 ? nx : 0;
-          row.ofY = alongY + Math.floor(j / cellSize) - y;
+          row.ofY = alongY + Math.floor(j / size) - y;
           row.at = nx * (j + ny * k);
           row.end = row.at + nx;
-          measureRow(samples, row, cellSize, found);
+          measureRow(samples, row, size, found);
         }
       }
       for (const place of places) addRow(cells, place, found);
@@ -93,14 +100,14 @@ interface Part {
   readonly last: number;
 }
 
-function splitAxis(voxels: number): Part[] {
-  const cells = Math.ceil(voxels / cellSize);
+function splitAxis(voxels: number, size: number): Part[] {
+  const cells = Math.ceil(voxels / size);
   const parts: Part[] = [];
   for (let cell = 0; cell < cells; cell++) {
-    const begin = cell * cellSize;
+    const begin = cell * size;
     const part = {
       from: cell > 0 ? begin + 1 : 0,
-      to: cell < cells - 1 ? begin + cellSize - 1 : voxels,
+      to: cell < cells - 1 ? begin + size - 1 : voxels,
       cell,
       last: cell,
     };

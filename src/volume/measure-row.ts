@@ -39,7 +39,7 @@ export interface Row {
  * three differences before their comparisons 1.03 times. `| 0` avoids a check for numbers too large for an index (Node
  * 20).
  */
-export function measureRow(samples: Samples, row: Row, cellSize: number, found: Measures): void {
+export function measureRow(samples: Samples, row: Row, size: number, found: Measures): void {
   const { end, down, up, back, forth, ofY, ofZ } = row;
   let at = row.at;
   let value = samples[at];
@@ -51,7 +51,7 @@ export function measureRow(samples: Samples, row: Row, cellSize: number, found: 
   let y = 0;
   let z = 0;
   let cell = 0;
-  let next = at + cellSize;
+  let next = at + size;
   let min = found[low];
   let max = found[high];
   let maxX = found[alongX];
@@ -151,7 +151,7 @@ export function measureRow(samples: Samples, row: Row, cellSize: number, found: 
     left = right;
     value = after;
     at = next + 1;
-    next += cellSize;
+    next += size;
     cell += perCell;
   }
   found[cell + low] = min;

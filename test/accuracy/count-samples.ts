@@ -9,12 +9,11 @@ import type { Ray } from '../../src/optics/rays/rays.ts';
 import { attenuate, composite } from '../../src/optics/rays/segment.ts';
 import { exactMeans } from '../../src/optics/transfer/exact-means.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import { cellSize } from '../../src/volume/cell-size.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { ErrorSum } from '../helpers/covered-error.ts';
-import { buildCells } from './small-cells.ts';
 
 /** Rays along each side. */
 const side = 48;
@@ -37,8 +36,8 @@ const [lostPerError, longFrom] = [10, 2];
 /** A pixel may be off by so many times `max-error`: of a thing that stands out by eight, a quarter has to be left. */
 const mostPerError = 6;
 
-/** Voxels along each edge of the smaller cells. */
-const smallCell = 4;
+/** Voxels along each edge of the cells, as volumes have them that are large and that are not. */
+const [largeCell, smallCell] = [8, 4];
 
 /** Where less light is left, more may be lost: in this many halves of it. */
 const halves = 10;
@@ -46,10 +45,10 @@ const halves = 10;
 export interface SamplesResult {
   readonly name: string;
   readonly maxError: number;
-  /** Samples as a share of one for each voxel in which something may be visible, up to the end of the ray: by the bounds of cells, as in `detail="keep"`. */
-  readonly byCells: number;
+  /** Samples as a share of one for each voxel in which something may be visible, up to the end of the ray: by the bounds of cells of eight voxels along each edge, as `detail="keep"` has them in a large volume. */
+  readonly byLargeCells: number;
   /** The same, where bounds count for the light that is left. */
-  readonly byLight: number;
+  readonly byLargeCellsAndLight: number;
   /** The same, by the bounds of cells of four voxels along each edge, and with the light that is left, too. */
   readonly bySmallCells: number;
   readonly bySmallCellsAndLight: number;
@@ -63,9 +62,9 @@ interface Walk {
   readonly values: Float64Array;
   /** Light and opacity gathered up to each sample: four numbers each. */
   readonly gathered: Float64Array;
-  /** The cell of each voxel's step; -1 where nothing is visible. */
-  readonly cells: readonly number[];
-  /** The same of smaller cells. */
+  /** The large cell of each voxel's step; -1 where nothing is visible. */
+  readonly largeCells: readonly number[];
+  /** The same of small cells. */
   readonly smallCells: readonly number[];
 }
 
@@ -80,16 +79,17 @@ export interface CountedView {
 
 export function countSamples(shown: CountedView, errors: readonly number[]): SamplesResult[] {
   const { name, volume, transferFunction, referenceLength } = shown;
-  const [seen, seenSmall] = [volume.macrocells, buildCells(volume.samples, volume.grid.dimensions, smallCell)].map(
-    (macrocells): SeenVolume => ({
+  const [seenLarge, seenSmall] = [largeCell, smallCell].map((size): SeenVolume => {
+    const macrocells = buildMacrocells(volume.samples, volume.grid.dimensions, size);
+    return {
       volume: { ...volume, macrocells },
       cells: findSeenCells(macrocells, [contributionOf(transferFunction)], volume),
       transferFunction,
       opticalScale: 1 / referenceLength,
-    }),
-  );
-  const { walks, attenuateSpan } = walkRays(shown, seen, seenSmall);
-  const all = walks.reduce((sum, walk) => sum + countBy(walk, 'cells', () => 1), 0);
+    };
+  });
+  const { walks, attenuateSpan } = walkRays(shown, seenLarge, seenSmall);
+  const all = walks.reduce((sum, walk) => sum + countBy(walk, 'largeCells', () => 1), 0);
   const pictures = tried.map((allowed) => takeFewest(walks, attenuateSpan, allowed));
   return errors.map((maxError) => {
     const codesOf = (of: SeenVolume): Uint8Array[] =>
@@ -105,14 +105,14 @@ export function countSamples(shown: CountedView, errors: readonly number[]): Sam
         byLight: by((light) => codes[Math.min(halves, Math.max(0, Math.floor(-Math.log2(light))))]),
       };
     };
-    const usual = count('cells', codesOf(seen));
+    const large = count('largeCells', codesOf(seenLarge));
     const small = count('smallCells', codesOf(seenSmall));
     const kept = pictures.filter(({ e, max }) => e <= maxError && max <= mostPerError * maxError);
     return {
       name,
       maxError,
-      byCells: usual.all,
-      byLight: usual.byLight,
+      byLargeCells: large.all,
+      byLargeCellsAndLight: large.byLight,
       bySmallCells: small.all,
       bySmallCellsAndLight: small.byLight,
       needed: kept.length > 0 ? Math.min(...kept.map(({ samples }) => samples)) / all : null,
@@ -128,7 +128,7 @@ function samplesOf(code: number): number {
 /** Light left at a sample. */
 const lightAt = ({ gathered }: Walk, sample: number): number => 1 - gathered[4 * sample + 3];
 
-type CellKind = 'cells' | 'smallCells';
+type CellKind = 'largeCells' | 'smallCells';
 
 function countBy(walk: Walk, kind: CellKind, samples: (cell: number, light: number) => number): number {
   return walk[kind].reduce(
@@ -141,7 +141,7 @@ type Span = (from: number, to: number, voxels: number) => Premultiplied;
 
 function walkRays(
   { volume, transferFunction, referenceLength, view, projection }: CountedView,
-  seen: SeenVolume,
+  seenLarge: SeenVolume,
   seenSmall: SeenVolume,
 ): { walks: Walk[]; attenuateSpan: Span } {
   const { grid } = volume;
@@ -153,7 +153,7 @@ function walkRays(
   const cellAt = (place: Vector3, { volume: { macrocells }, cells }: SeenVolume): number => {
     const at = place.map((x, axis) => {
       const index = Math.min(grid.dimensions[axis] - 1, Math.max(0, x * grid.dimensions[axis] - 0.5));
-      return Math.min(macrocells.dimensions[axis] - 1, Math.floor(index / (macrocells.size ?? cellSize)));
+      return Math.min(macrocells.dimensions[axis] - 1, Math.floor(index / macrocells.size));
     });
     const cell = at[0] + macrocells.dimensions[0] * (at[1] + macrocells.dimensions[1] * at[2]);
     return cells[cell] ? cell : -1;
@@ -169,11 +169,11 @@ function walkRays(
       if (steps < 1) continue;
       const placeAt = (t: number): Vector3 => placeOn(ray, t);
       const [values, gathered] = [[field.sampleAt(placeAt(begin)).value], [0, 0, 0, 0]];
-      const [cells, smallCells]: number[][] = [[], []];
+      const [largeCells, smallCells]: number[][] = [[], []];
       for (let step = 0; step < steps && 1 - gathered[gathered.length - 1] > lastLight; step++) {
         const middle = placeAt(begin + (step + 0.5) * stepT);
-        const cell = cellAt(middle, seen);
-        cells.push(cell);
+        const cell = cellAt(middle, seenLarge);
+        largeCells.push(cell);
         smallCells.push(cellAt(middle, seenSmall));
         for (let i = 1; i <= trueSamples; i++) {
           const { value } = field.sampleAt(placeAt(begin + (step + i / trueSamples) * stepT));
@@ -183,7 +183,7 @@ function walkRays(
           gathered.push(...sum);
         }
       }
-      walks.push({ values: Float64Array.from(values), gathered: Float64Array.from(gathered), cells, smallCells });
+      walks.push({ values: Float64Array.from(values), gathered: Float64Array.from(gathered), largeCells, smallCells });
     }
   }
   return { walks, attenuateSpan };
@@ -202,7 +202,7 @@ function takeFewest(
   const errors = new ErrorSum(4);
   let samples = 0;
   for (const walk of walks) {
-    const { values, gathered, cells } = walk;
+    const { values, gathered, largeCells: cells } = walk;
     const last = cells.length * trueSamples;
     const shown: Premultiplied = [0, 0, 0, 0];
     for (let from = 0; from < last;) {

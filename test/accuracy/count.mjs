@@ -51,15 +51,23 @@ export const run = ({ quick }) =>
   });
 
 /** @param {import('./count-samples.ts').SamplesResult} result */
-function describeSamples({ name, maxError, byCells, byLight, bySmallCells, bySmallCellsAndLight, needed }) {
+function describeSamples({
+  name,
+  maxError,
+  byLargeCells,
+  byLargeCellsAndLight,
+  bySmallCells,
+  bySmallCellsAndLight,
+  needed,
+}) {
   const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(0)} %`;
   return {
     scene: name,
     'max-error': maxError,
-    'by cells': percent(byCells),
-    'by cells and light': percent(byLight),
+    'by cells of 8': percent(byLargeCells),
+    'of 8 and light': percent(byLargeCellsAndLight),
     'by cells of 4': percent(bySmallCells),
-    'and light': percent(bySmallCellsAndLight),
+    'of 4 and light': percent(bySmallCellsAndLight),
     needed: needed === null ? 'more' : percent(needed),
   };
 }

@@ -1,7 +1,5 @@
-import { cellSize } from '../../volume/cell-size.ts';
 import { summarize } from '../../volume/histogram.ts';
 import { emptyMacrocells } from '../../volume/macrocells.ts';
-import type { Vector3 } from '../../volume/matrix.ts';
 import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
 import type { CoarseVolume } from '../base/load-request.ts';
 import { suggestRadarAppearance } from './suggest-radar-appearance.ts';
@@ -21,6 +19,8 @@ export function outlinePolar({ makeMacrocells: _later, kinds, ...decoded }: Deco
 /** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */
 export function predictPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
   if (samples.byteLength > maxPreviewBytes) return null;
-  const cells = of.grid.dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  return { volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true }, of };
+  return {
+    volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, of.grid.dimensions), coarse: true },
+    of,
+  };
 }

@@ -1,6 +1,5 @@
 import { unitToWorld } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
-import { cellSize } from '../../volume/cell-size.ts';
 import type { Macrocells } from '../../volume/macrocells.ts';
 import { multiply } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
@@ -22,7 +21,7 @@ type Corner = readonly [x: number, y: number, w: number];
 export function boundSeenCells(
   {
     grid,
-    macrocells: { dimensions: cells, size = cellSize },
+    macrocells: { dimensions: cells, size },
   }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions' | 'size'> },
   seen: Uint8Array,
   { view, projection }: { readonly view: Matrix4; readonly projection: Matrix4 },

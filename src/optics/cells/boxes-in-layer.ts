@@ -1,5 +1,4 @@
 // Where the macrocells of a volume lie in a layer over it, and which values the layer has there.
-import { cellSize } from '../../volume/cell-size.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Grid, VolumeData } from '../../volume/volume.ts';
@@ -19,7 +18,7 @@ const voxelRounding = 1e-3;
 
 /** Maps a macrocell of a volume (by its whole-number index) to the box of the layer that contains it. Null if one of the two is flat. */
 export function boxesIn(
-  { grid, macrocells: { size = cellSize } }: Pick<VolumeData, 'grid' | 'macrocells'>,
+  { grid, macrocells: { size } }: Pick<VolumeData, 'grid' | 'macrocells'>,
   layer: Grid,
 ): ((cell: Vector3) => UnitBox) | null {
   const matrix = toOverlay(grid, layer);

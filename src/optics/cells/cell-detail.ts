@@ -57,7 +57,7 @@ export const cellsAtOnce = 2 ** 14;
 /** Samples per voxel that a cell may need. */
 export const detailCodes = [1, 2, 4, 8] as const;
 
-/** Powers of two of the voxels in a step that is longer than one, the longest first. A macrocell has 8 along each edge. */
+/** Powers of two of the voxels in a step that is longer than one, the longest first. A macrocell has 4 or 8 along each edge. */
 const longPowers = [2, 1] as const;
 
 /**

@@ -1,4 +1,4 @@
-import { cellSize } from '../../volume/cell-size.ts';
+import { chooseCellSize } from '../../volume/cell-size.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
 import type { LabelStyle } from '../../volume/labels.ts';
@@ -53,12 +53,13 @@ export function appearanceOfCells({ starts, numbers }: LabelCells, styles: reado
 export function divideAppearances(
   whole: CellAppearances,
   dimensions: Vector3,
-  { dimensions: cells, size = cellSize }: Pick<Macrocells, 'dimensions' | 'size'>,
+  { dimensions: cells, size }: Pick<Macrocells, 'dimensions' | 'size'>,
 ): CellAppearances {
-  if (size === cellSize) return whole;
+  const edge = chooseCellSize(dimensions);
+  if (size === edge) return whole;
   const { max, spread, groups } = whole;
-  const [lx, ly] = dimensions.map((n) => Math.ceil(n / cellSize));
-  const large = (n: number): number => Math.floor((n * size) / cellSize);
+  const [lx, ly] = dimensions.map((n) => Math.ceil(n / edge));
+  const large = (n: number): number => Math.floor((n * size) / edge);
   const from = new Uint32Array(cells[0] * cells[1] * cells[2]);
   for (let z = 0, at = 0; z < cells[2]; z++)
     for (let y = 0; y < cells[1]; y++)

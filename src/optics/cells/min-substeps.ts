@@ -1,4 +1,3 @@
-import { cellSize } from '../../volume/cell-size.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { powerOfSteps } from '../transfer/power-of-steps.ts';
@@ -16,7 +15,7 @@ export function minSubsteps(
 ): (place: Vector3, forward: Vector3) => number {
   const {
     grid,
-    macrocells: { dimensions: cells, size = cellSize },
+    macrocells: { dimensions: cells, size },
   } = volume;
   const power = powerOfSteps(voxelsPerStep);
   const inCells = (x: number, axis: number): number => (x * grid.dimensions[axis]) / size;

@@ -1,4 +1,4 @@
-import { cellSize, offLine } from '../../volume/cell-size.ts';
+import { offLine } from '../../volume/cell-size.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
@@ -118,7 +118,7 @@ function blocksOf(
   { grid: { dimensions }, macrocells }: VolumeData,
 ): { readonly first: Vector3; readonly last: Vector3 } {
   const toBlock = (position: number, axis: number): number =>
-    Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));
+    Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / macrocells.size)));
   const from = low.map((x, axis) => toBlock(x * dimensions[axis] + shared, axis));
   const to = high.map((x, axis) => toBlock(x * dimensions[axis] - shared, axis));
   // A box may be smaller than the shared part.

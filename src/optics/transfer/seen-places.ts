@@ -1,6 +1,5 @@
 import { corners, unitToWorld } from '../../volume/grid.ts';
 import type { GridFrame } from '../../volume/grid.ts';
-import { cellSize } from '../../volume/cell-size.ts';
 import { transformPoint } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { VolumeData } from '../../volume/volume.ts';
@@ -32,9 +31,7 @@ export function findSeenPlaces(volume: VolumeData, appearance: TransferFunction,
     range: [min, max],
   } = volume;
   const cells =
-    grid.kind === 'polar'
-      ? { ...macrocells, size: cellSize }
-      : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
+    grid.kind === 'polar' ? macrocells : { dimensions: grid.dimensions, low: samples, high: samples, size: 1 };
   const [nx, ny, nz] = cells.dimensions;
   const toWorld = unitToWorld(grid);
   const ends = corners(shown);

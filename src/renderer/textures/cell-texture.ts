@@ -1,4 +1,3 @@
-import { cellSize } from '../../volume/cell-size.ts';
 import type { Macrocells } from '../../volume/macrocells.ts';
 import { atlasLayout, packAtlas } from '../../volume/atlas.ts';
 import type { Device, Gl } from '../device/device.ts';
@@ -20,7 +19,7 @@ export interface CellTexture {
 export function uploadCells(
   gl: Gl,
   numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>,
-  { dimensions: cells, size = cellSize }: Pick<Macrocells, 'dimensions' | 'size'>,
+  { dimensions: cells, size }: Pick<Macrocells, 'dimensions' | 'size'>,
   { previous, device, samplerName }: { previous: CellTexture | null; device: Device; samplerName: string },
 ): CellTexture {
   const atlas = atlasLayout(cells, device.maxTextureSize)!;

@@ -299,14 +299,14 @@ describe('what is hidden', () => {
   });
 
   it('has cells that count as unseen', async () => {
-    const volume = syntheticVolume({ dimensions: [32, 8, 8], field: () => 0.8 });
-    const map = labelMap([32, 8, 8], (i) => Number(i < 18), 2);
+    const volume = syntheticVolume({ dimensions: [16, 4, 4], field: () => 0.8 });
+    const map = labelMap([16, 4, 4], (i) => Number(i < 10), 2);
     scene().setVolume(volume);
     const seen = async (factor: number): Promise<number[]> => {
       await scene().setLabels({ map, styles: [plainAppearance, { ...plainAppearance, opacityFactor: factor }] });
       return [...scene().whatIsSeen()!.cells];
     };
-    // Voxel 18 is in the third cell, and no voxel beside the second.
+    // Voxel 10 is in the third cell, and no voxel beside the second.
     expect(await seen(0)).to.deep.equal([0, 0, 1, 1]);
     expect(await seen(0.5)).to.deep.equal([1, 1, 1, 1]);
   });

@@ -30,10 +30,10 @@ function count(value: (i: number, j: number, k: number) => number, stops: string
 describe('samples that are needed', () => {
   it('are one for the longest step where all is even, and bounds ask for no more than its longest there', () => {
     const even = count(() => 100, '0 #fff 4%, 255 #fff 4%');
-    for (const { needed, byCells, byLight, maxError } of even) {
+    for (const { needed, byLargeCells, byLargeCellsAndLight, maxError } of even) {
       expect(needed, `at ${maxError}`).to.be.within(1 / 8, 1 / 4); // The last step of a ray is shorter.
-      expect(byCells, `at ${maxError}`).to.equal(maxError === 8 ? 1 / 4 : 1);
-      expect(byLight, `at ${maxError}`).to.equal(byCells);
+      expect(byLargeCells, `at ${maxError}`).to.equal(maxError === 8 ? 1 / 4 : 1);
+      expect(byLargeCellsAndLight, `at ${maxError}`).to.equal(byLargeCells);
     }
   });
 
@@ -42,18 +42,18 @@ describe('samples that are needed', () => {
     const ramp = '0 #234 0, 30 #48c 2%, 140 #c96 20%, 255 white 40%';
     const noise = count(() => 255 * random(), ramp);
     const smooth = count((i) => 100 + 2 * i, ramp);
-    for (const [i, { maxError, needed, byCells, byLight }] of noise.entries()) {
+    for (const [i, { maxError, needed, byLargeCells, byLargeCellsAndLight }] of noise.entries()) {
       expect(needed!, `at ${maxError}`).to.be.above(smooth[i].needed!);
-      expect(needed!, `at ${maxError}`).to.be.below(byLight);
-      expect(byLight, `at ${maxError}`).to.be.at.most(byCells);
+      expect(needed!, `at ${maxError}`).to.be.below(byLargeCellsAndLight);
+      expect(byLargeCellsAndLight, `at ${maxError}`).to.be.at.most(byLargeCells);
     }
     const dot = count(
       (i, j, k) => (i === 14 && j === 14 && k === 14 ? 255 : 0),
       '0 #fff 0, 100 #fff 0, 200 #fff 40%, 255 #fff 40%',
     );
-    for (const { bySmallCells, byCells, maxError } of dot)
-      expect(bySmallCells, `a speck, at ${maxError}`).to.be.below(0.5 * byCells);
+    for (const { bySmallCells, byLargeCells, maxError } of dot)
+      expect(bySmallCells, `a speck, at ${maxError}`).to.be.below(0.5 * byLargeCells);
     expect(noise[1].needed).to.be.above(noise[0].needed!);
-    expect(noise[1].byLight, 'light behind noise').to.be.below(noise[1].byCells);
+    expect(noise[1].byLargeCellsAndLight, 'light behind noise').to.be.below(noise[1].byLargeCells);
   });
 });

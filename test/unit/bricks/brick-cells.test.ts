@@ -3,7 +3,7 @@ import { BrickCells } from '../../../src/bricks/brick-cells.ts';
 import { brickSide } from '../../../src/bricks/brick-data.ts';
 import { layBricks } from '../../../src/bricks/brick-layout.ts';
 import { findSeenCells } from '../../../src/optics/cells/seen-cells.ts';
-import { cellSize, offLine } from '../../../src/volume/cell-size.ts';
+import { offLine } from '../../../src/volume/cell-size.ts';
 import { cartesianGrid } from '../../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../../src/volume/grid.ts';
 import { buildMacrocells } from '../../../src/volume/macrocells.ts';
@@ -17,7 +17,7 @@ import { fieldWithHole, randomNumbers, syntheticVolume } from '../../helpers/syn
 const numberAt = ({ dimensions: [cx, cy] }: Pick<Macrocells, 'dimensions'>, [i, j, k]: Vector3): number =>
   i + cx * (j + cy * k);
 
-const cellAt = ({ dimensions, size = cellSize }: Macrocells, voxels: Vector3, place: Vector3): number =>
+const cellAt = ({ dimensions, size }: Macrocells, voxels: Vector3, place: Vector3): number =>
   numberAt(
     { dimensions },
     place.map((x, axis) => Math.min(dimensions[axis] - 1, Math.floor((x * voxels[axis]) / size))) as unknown as Vector3,
@@ -63,8 +63,8 @@ describe('macrocells of bricks', () => {
     const whole = syntheticVolume({ dimensions: [128, 96, 64], field: () => random() ** 8 });
     const { volume } = cutIntoBricks(whole, 3, ({ level }) => level === 0);
     const { dimensions, size, low, high, roughness } = volume.macrocells;
-    const expected = buildMacrocells(whole.samples, whole.grid.dimensions);
-    expect([dimensions, size]).to.deep.equal([expected.dimensions, cellSize / 4]);
+    const expected = buildMacrocells(whole.samples, whole.grid.dimensions, 8);
+    expect([dimensions, size]).to.deep.equal([expected.dimensions, 8 / 4]);
     expect(Array.from(low)).to.deep.equal(Array.from(expected.low));
     expect(Array.from(high)).to.deep.equal(Array.from(expected.high));
     for (const [cell, rough] of roughness.entries()) {

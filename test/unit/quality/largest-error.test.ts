@@ -67,7 +67,12 @@ describe('what cells need and could miss, of many cells', () => {
     const { volume, ...seen } = see((x) => x, '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%');
     const many: SeenVolume = {
       ...seen,
-      volume: { ...volume, slope: 1, intercept: 0, macrocells: { dimensions: [count, 1, 1], low, high, roughness } },
+      volume: {
+        ...volume,
+        slope: 1,
+        intercept: 0,
+        macrocells: { dimensions: [count, 1, 1], size: 4, low, high, roughness },
+      },
       cells: Uint8Array.from(low, () => Number(random() < 0.8)),
     };
     const inPauses = <T>(work: Waiting<T>): { value: T; pauses: number } => {
@@ -95,7 +100,7 @@ describe('the roughness of cells', () => {
     for (const noise of [0.002, 0.05, 1]) {
       const samples = Float32Array.from({ length: nx * ny * nz }, (_, at) => (at % nx) / nx + noise * random() ** 8);
       samples[300] = NaN;
-      const { roughness, low, high, dimensions } = buildMacrocells(samples, [nx, ny, nz]);
+      const { roughness, low, high, dimensions, size } = buildMacrocells(samples, [nx, ny, nz]);
       const at = (i: number, j: number, k: number): number =>
         samples[
           Math.min(nx - 1, Math.max(0, i)) +
@@ -106,12 +111,12 @@ describe('the roughness of cells', () => {
           cell % dimensions[0],
           Math.floor(cell / dimensions[0]) % dimensions[1],
           Math.floor(cell / (dimensions[0] * dimensions[1])),
-        ].map((i) => 8 * i);
+        ].map((i) => size * i);
         let largest = 0;
-        const isOwn = (place: number, axis: number): boolean => place >= first[axis] && place < first[axis] + 8;
-        for (let k = Math.max(0, first[2] - 1); k <= Math.min(nz - 1, first[2] + 8); k++)
-          for (let j = Math.max(0, first[1] - 1); j <= Math.min(ny - 1, first[1] + 8); j++)
-            for (let i = Math.max(0, first[0] - 1); i <= Math.min(nx - 1, first[0] + 8); i++) {
+        const isOwn = (place: number, axis: number): boolean => place >= first[axis] && place < first[axis] + size;
+        for (let k = Math.max(0, first[2] - 1); k <= Math.min(nz - 1, first[2] + size); k++)
+          for (let j = Math.max(0, first[1] - 1); j <= Math.min(ny - 1, first[1] + size); j++)
+            for (let i = Math.max(0, first[0] - 1); i <= Math.min(nx - 1, first[0] + size); i++) {
               [
                 [1, 0, 0],
                 [0, 1, 0],

@@ -1,6 +1,5 @@
 import { expect } from '@esm-bundle/chai';
 import { polarSampler } from '../../../src/radar/interpolate-polar.ts';
-import { cellSize } from '../../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import type { Volume } from '../../../src/volume/volume.ts';
 import { takesAll } from '../../helpers/cases.ts';
@@ -11,7 +10,7 @@ const points = takesAll ? 20_000 : 10_000;
 
 function cellOf({ grid: { dimensions }, macrocells }: Volume, p: Vector3): number {
   const [i, j, k] = p.map((x, axis) =>
-    Math.min(macrocells.dimensions[axis] - 1, Math.floor((x * dimensions[axis]) / cellSize)),
+    Math.min(macrocells.dimensions[axis] - 1, Math.floor((x * dimensions[axis]) / macrocells.size)),
   );
   return i + macrocells.dimensions[0] * (j + macrocells.dimensions[1] * k);
 }

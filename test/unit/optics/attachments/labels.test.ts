@@ -12,7 +12,7 @@ import { stagesOf } from '../../../../src/optics/reference.ts';
 import type { RaySetup } from '../../../../src/optics/rays/rays.ts';
 import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
 import { voteOfCorners } from '../../../../src/optics/rays/vote.ts';
-import { cellSize } from '../../../../src/volume/cell-size.ts';
+import { chooseCellSize } from '../../../../src/volume/cell-size.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../../src/volume/grid.ts';
 import { listLabels } from '../../../../src/volume/label-cells.ts';
 import type { LabelCells } from '../../../../src/volume/label-cells.ts';
@@ -247,10 +247,11 @@ describe('cells and their labels', () => {
   it('hold the label of any place in them, once each', () => {
     const map = noise([20, 9, 17], 400);
     const { starts, numbers } = cellsOf(map);
-    const cells = map.dimensions.map((n) => Math.ceil(n / cellSize));
+    const size = chooseCellSize(map.dimensions);
+    const cells = map.dimensions.map((n) => Math.ceil(n / size));
     for (let n = 0; n < 3000; n++) {
       const place = randomPlace();
-      const [i, j, k] = place.map((x, axis) => Math.floor((x * map.dimensions[axis]) / cellSize));
+      const [i, j, k] = place.map((x, axis) => Math.floor((x * map.dimensions[axis]) / size));
       const cell = i + cells[0] * (j + cells[1] * k);
       expect([...numbers.subarray(starts[cell], starts[cell + 1])]).to.include(
         voteOfCorners(map.numbers, map.dimensions, place),
@@ -261,13 +262,13 @@ describe('cells and their labels', () => {
   });
 
   it('know the densest of them, and how much they differ', () => {
-    const map = labelMap([8, 8, 16], (_i, _j, k) => (k < 9 ? 1 : 2), 3);
+    const map = labelMap([4, 4, 8], (_i, _j, k) => (k < 5 ? 1 : 2), 3);
     const styles = [
       plainAppearance,
       { color: [1, 0.5, 0], opacityFactor: 0.5 },
       { color: [1, 0, 0], opacityFactor: 0.25 },
     ] as const;
-    // The face is at 9: the first cell of 8 has a voxel beyond it, the second both.
+    // The face is at 5: the first cell of 4 has a voxel beyond it, the second both.
     const { max, spread } = appearanceOfCells(cellsOf(map), styles);
     expect([...max]).to.deep.equal([0.5, 0.5]);
     expect([...spread]).to.deep.equal([0, 0.25]);

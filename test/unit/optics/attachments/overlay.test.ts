@@ -203,7 +203,7 @@ it('what a layer may have in a macrocell of the volume holds all that it has at 
     for (let n = 0; n < 20_000; n++) {
       const place: Vector3 = [random(), random(), random()];
       const { value, valid } = field.sampleAt(place);
-      const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / 8));
+      const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / volume.macrocells.size));
       const cell = i + nx * (j + ny * k);
       if (!valid) continue;
       met++;
@@ -235,7 +235,7 @@ describe('the values that a layer has in each macrocell', () => {
     const random = randomNumbers(5);
     for (let n = 0; n < 60_000; n++) {
       const place: Vector3 = [random(), random(), random()];
-      const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / 8));
+      const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / volume.macrocells.size));
       if (field.sampleAt(place).value > 1) found.add(i + nx * (j + ny * k));
     }
     const reported = [...cells.high].flatMap((high, cell) => (high > 1 ? [cell] : []));
@@ -250,9 +250,9 @@ describe('the values that a layer has in each macrocell', () => {
       const same = syntheticVolume({ dimensions: [edge, edge, edge], kind: 'uint8', field: waves });
       const { low, high } = listOverlayCells(same, same);
       const toData = (stored: number): number => same.slope * stored + same.intercept;
-      const inner = edge / 8 - 1;
-      for (const at of [0, 1, inner]) {
-        const cell = at * (1 + (edge / 8) * (1 + edge / 8));
+      const [along] = same.macrocells.dimensions;
+      for (const at of [0, 1, along - 1]) {
+        const cell = at * (1 + along * (1 + along));
         expect(low[cell], `${edge} voxels, least`).to.equal(toData(same.macrocells.low[cell]));
         expect(high[cell], `${edge} voxels, largest`).to.equal(toData(same.macrocells.high[cell]));
       }

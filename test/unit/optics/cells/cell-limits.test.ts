@@ -1,7 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { measureCellLimits } from '../../../../src/optics/cells/cell-limits.ts';
 import { interpolate } from '../../../../src/optics/rays/interpolate.ts';
-import { cellSize } from '../../../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
@@ -34,7 +33,7 @@ describe('limits of cells', () => {
         });
         for (let i = 0; i < 3000; i++) {
           const p: Vector3 = [random(), random(), random()];
-          const [x, y, z] = p.map((u, axis) => Math.floor((u * dimensions[axis]) / cellSize));
+          const [x, y, z] = p.map((u, axis) => Math.floor((u * dimensions[axis]) / macrocells.size));
           const limit = limits[x + macrocells.dimensions[0] * (y + macrocells.dimensions[1] * z)];
           const value = sign * (scale * interpolate(samples, dimensions, p) + offset);
           expect((limit - 1) / 254 - (sign < 0 ? 1 : 0)).to.be.at.least(Math.min(sign > 0 ? 1 : 0, value));

@@ -3,7 +3,7 @@ import { contributionOf, measureEmptySpace } from '../../../../src/optics/cells/
 import { interpolate } from '../../../../src/optics/rays/interpolate.ts';
 import { evaluate } from '../../../../src/optics/transfer/transfer-function.ts';
 import type { TransferFunction } from '../../../../src/optics/transfer/transfer-function.ts';
-import { cellSize } from '../../../../src/volume/cell-size.ts';
+import { chooseCellSize } from '../../../../src/volume/cell-size.ts';
 import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
@@ -28,33 +28,43 @@ function blobs(x: number, y: number, z: number): number {
 }
 
 describe('macrocells', () => {
+  it('have 4 voxels along each edge while there are no more than 262,144 of them, else 8', () => {
+    expect(chooseCellSize([256, 256, 256])).to.equal(4);
+    expect(chooseCellSize([256, 257, 256])).to.equal(8);
+    expect(chooseCellSize([512, 512, 64])).to.equal(4);
+    expect(chooseCellSize([2048, 2048, 1])).to.equal(4);
+    const samples = new Uint8Array(9 * 5 * 4);
+    expect(buildMacrocells(samples, [9, 5, 4])).to.deep.include({ dimensions: [3, 2, 1], size: 4 });
+    expect(buildMacrocells(samples, [9, 5, 4], 8)).to.deep.include({ dimensions: [2, 1, 1], size: 8 });
+  });
+
   it('hold the range of whatever interpolation gives inside of them, to the rim', () => {
     const random = randomNumbers(20);
     const dimensions: Vector3 = [19, 8, 33];
     const { samples } = syntheticVolume({ dimensions, kind: 'uint16', field: () => random() });
     const cells = buildMacrocells(samples, dimensions);
-    expect(cells.dimensions).to.deep.equal([3, 1, 5]);
+    expect(cells.dimensions).to.deep.equal([5, 2, 9]);
     for (let i = 0; i < 4000; i++) {
       const cell = cells.dimensions.map((n) => Math.floor(random() * n));
       // Ends of a cell as often as its inside.
-      const place = cell.map((c, axis) => Math.min(dimensions[axis], (c + [0, 1, random()][i % 3]) * cellSize));
+      const place = cell.map((c, axis) => Math.min(dimensions[axis], (c + [0, 1, random()][i % 3]) * cells.size));
       const value = interpolate(
         samples,
         dimensions,
         place.map((x, axis) => x / dimensions[axis]) as unknown as Vector3,
       );
-      const at = cell[0] + 3 * (cell[1] + 1 * cell[2]);
+      const at = cell[0] + 5 * (cell[1] + 2 * cell[2]);
       expect(value).to.be.within(cells.low[at] - 1e-6, cells.high[at] + 1e-6);
     }
   });
 
   it('leave out voxels without data; a cell without any has no range', () => {
-    const samples = new Float32Array(16 * 8 * 8).fill(NaN);
-    const none = buildMacrocells(samples, [16, 8, 8]);
+    const samples = new Float32Array(8 * 4 * 4).fill(NaN);
+    const none = buildMacrocells(samples, [8, 4, 4]);
     expect(none.low[0]).to.equal(Infinity);
     expect(none.high[1]).to.equal(-Infinity);
-    samples[15] = 4;
-    const one = buildMacrocells(samples, [16, 8, 8]);
+    samples[7] = 4;
+    const one = buildMacrocells(samples, [8, 4, 4]);
     expect([one.low[1], one.high[1]]).to.deep.equal([4, 4]);
     expect(one.low[0]).to.equal(Infinity);
   });
@@ -122,8 +132,8 @@ describe('the empty-space distance', () => {
       let looked = 0;
       for (let i = 0; i < 5000; i++) {
         const p: Vector3 = [random(), random(), random()];
-        const [x, y, z] = p.map((u) => Math.floor((u * 40) / cellSize));
-        if (rings[x + 5 * (y + 5 * z)] === 0) continue;
+        const [x, y, z] = p.map((u) => Math.floor((u * 40) / volume.macrocells.size));
+        if (rings[x + 10 * (y + 10 * z)] === 0) continue;
         looked++;
         const value = volume.slope * interpolate(volume.samples, dimensions, p) + volume.intercept;
         expect(evaluate(gaps, value)[3]).to.equal(0);

@@ -4,10 +4,13 @@ import { castRay } from '../../../../src/optics/rays/cast-ray.ts';
 import type { RayStages } from '../../../../src/optics/rays/ray-stages.ts';
 import { scale } from '../../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
+const whole = syntheticVolume({ dimensions: [16, 8, 8] });
+
 /** Two cells along x, each of 8 voxels. */
-const volume = syntheticVolume({ dimensions: [16, 8, 8] });
+const volume = { ...whole, macrocells: buildMacrocells(whole.samples, whole.grid.dimensions, 8) };
 
 /** From one voxel to the next along x. */
 const forward: Vector3 = [1 / 16, 0, 0];

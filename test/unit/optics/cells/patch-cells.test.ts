@@ -5,7 +5,6 @@ import { boundGradients, contributionOfGradients } from '../../../../src/optics/
 import { perWorldUnit } from '../../../../src/optics/rays/patch-classify.ts';
 import type { Patch } from '../../../../src/optics/transfer/patches.ts';
 import { cartesianField } from '../../../../src/optics/rays/ray-field.ts';
-import { cellSize } from '../../../../src/volume/cell-size.ts';
 import { buildMacrocells } from '../../../../src/volume/macrocells.ts';
 import { length } from '../../../../src/volume/matrix.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
@@ -46,6 +45,7 @@ describe('the gradients that macrocells may have', () => {
         grid,
         macrocells: {
           dimensions: [nx, ny],
+          size,
         },
       } = volume;
       const bounds = boundGradients(volume);
@@ -55,7 +55,7 @@ describe('the gradients that macrocells may have', () => {
       const largest = new Float64Array(bounds.length);
       for (let n = 0; n < 40_000; n++) {
         const place = [random(), random(), random()] as const;
-        const [i, j, k] = place.map((x, axis) => Math.floor((x * dimensions[axis]) / cellSize));
+        const [i, j, k] = place.map((x, axis) => Math.floor((x * dimensions[axis]) / size));
         const cell = i + nx * (j + ny * k);
         largest[cell] = Math.max(
           largest[cell],
@@ -70,7 +70,7 @@ describe('the gradients that macrocells may have', () => {
   }
 
   it('say where a patch may show: not in what is flat, nor at other values', () => {
-    const volume = syntheticVolume({ dimensions: [40, 8, 8], field: (x) => (x > 0.9 ? 1 : 0.4) });
+    const volume = syntheticVolume({ dimensions: [20, 4, 4], field: (x) => (x > 0.9 ? 1 : 0.4) });
     const box: Patch = { kind: 'box', values: [0.3, 0.5], gradients: [0.1, 0.4], color: [1, 1, 1], opacity: 0.5 };
     const shows = contributionOfGradients([box], volume);
     expect([0, 1, 2, 3, 4].map((cell) => shows(0.4, 0.4, cell))).to.deep.equal([false, false, false, true, true]);
