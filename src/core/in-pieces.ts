@@ -1,3 +1,5 @@
+import { later } from './later.ts';
+
 /** The page is blocked for no longer than this at a time, ms. */
 const pieceMs = 8;
 
@@ -10,7 +12,7 @@ export async function inPieces<T>(work: Iterator<unknown, T>, isWanted: () => bo
     const { done, value } = work.next();
     if (done) return value;
     if (performance.now() - began < pieceMs) continue;
-    await new Promise((resolve) => setTimeout(resolve));
+    await later();
     began = performance.now();
   }
   return null;

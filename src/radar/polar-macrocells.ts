@@ -1,4 +1,4 @@
-import { offLine } from '../volume/cell-size.ts';
+import { chooseCellSize, offLine } from '../volume/cell-size.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import { spansOfRings } from './polar-geometry.ts';
@@ -44,7 +44,7 @@ export function buildPolarMacrocells(
   onWork: (gates: number) => void = () => undefined,
 ): Macrocells {
   const { dimensions } = grid;
-  const macrocells = emptyMacrocells(samples, dimensions);
+  const macrocells = emptyMacrocells(samples, dimensions, chooseCellSize(dimensions));
   const { dimensions: cells, size, low, high, roughness } = macrocells;
   const columns = grid.sweeps.map((sweep) => new SweepInColumn(sweep, samples));
   const spans = grid.sweeps.map(spanOfSweep);

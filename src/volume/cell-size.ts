@@ -1,19 +1,15 @@
 // What a page needs to know about macrocells, without the code that makes them, which runs in the worker.
 
-/** Voxels along each edge of a macrocell: of volumes that are not large, and of all others. */
-const [small, large] = [4, 8];
-
-/** A volume with more small macrocells than this gets large ones: else, too much time is spent on finding what they show. */
-const maxSmall = 2 ** 18;
+/** A volume with more voxels than this has large macrocells: else, too much time is spent on finding what they show. */
+const maxVoxels = 2 ** 24;
 
 /**
  * Voxels along each edge of a volume's macrocells. Small ones bound what is in them more closely, so rays skip more and
  * need fewer samples.
  * @param dimensions - voxels along i, j and k
  */
-export function chooseCellSize(dimensions: readonly [number, number, number]): number {
-  const cells = dimensions.reduce((product, n) => product * Math.ceil(n / small), 1);
-  return cells <= maxSmall ? small : large;
+export function chooseCellSize([nx, ny, nz]: readonly [number, number, number]): number {
+  return nx * ny * nz > maxVoxels ? 8 : 4;
 }
 
 /**

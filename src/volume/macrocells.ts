@@ -35,7 +35,7 @@ const enough = 0.6;
  * @param voxels - along i, j and k
  * @param size - voxels along each edge of a cell
  */
-export function emptyMacrocells(samples: Samples, voxels: Vector3, size = chooseCellSize(voxels)): Macrocells {
+export function emptyMacrocells(samples: Samples, voxels: Vector3, size: number): Macrocells {
   const dimensions = voxels.map((n) => Math.ceil(n / size)) as unknown as Vector3;
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
   const [min, max] =

@@ -1,4 +1,5 @@
 import { summarize } from '../../volume/histogram.ts';
+import { chooseCellSize } from '../../volume/cell-size.ts';
 import { emptyMacrocells } from '../../volume/macrocells.ts';
 import type { DecodedPolarVolume } from '../base/decoded-volume.ts';
 import type { CoarseVolume } from '../base/load-request.ts';
@@ -19,8 +20,14 @@ export function outlinePolar({ makeMacrocells: _later, kinds, ...decoded }: Deco
 /** A copy with empty macrocells, so that the renderer can prepare for this volume; null for a large one. */
 export function predictPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
   if (samples.byteLength > maxPreviewBytes) return null;
+  const { dimensions } = of.grid;
   return {
-    volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, of.grid.dimensions), coarse: true },
+    volume: {
+      ...of,
+      samples: samples.slice(),
+      macrocells: emptyMacrocells(samples, dimensions, chooseCellSize(dimensions)),
+      coarse: true,
+    },
     of,
   };
 }

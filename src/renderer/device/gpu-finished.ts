@@ -1,5 +1,7 @@
+import { later } from '../../core/later.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
+import { readPicture } from './read-picture.ts';
 
 /**
  * Resolves when the GPU has finished all commands so far. In WebGL 2 the page continues meanwhile; WebGL 1 has no fences,
@@ -7,16 +9,14 @@ import type { Gl } from './device.ts';
  */
 export async function gpuFinished(gl: Gl): Promise<void> {
   if (!isWebGl2(gl)) {
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    readPicture(gl, { width: 1, height: 1 });
     return;
   }
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   if (!fence) return;
   gl.flush();
-  while (!gl.isContextLost()) {
-    await new Promise((resolve) => setTimeout(resolve, 1));
-    const status = gl.clientWaitSync(fence, 0, 0);
-    if (status !== gl.TIMEOUT_EXPIRED) break;
-  }
+  // It fails where the context is lost meanwhile.
+  do await later();
+  while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED);
   gl.deleteSync(fence);
 }

@@ -40,7 +40,7 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
 export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
-    'the graphics driver refused the program of the rays; update the browser or the driver',
+    'the graphics driver refused the program; update the browser or the driver',
     { cause: new Error(log ?? 'no log') },
   );
 }

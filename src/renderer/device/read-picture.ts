@@ -32,18 +32,14 @@ export function startReading<Data extends Uint8Array | Float32Array>(
     return () => data;
   }
   const buffer = gl.createBuffer();
-  const withBuffer = (work: () => void): void => {
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    work();
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-  };
-  withBuffer(() => {
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, data.byteLength, gl.STREAM_READ);
-    gl.readPixels(0, 0, width, height, gl.RGBA, type, 0);
-  });
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+  gl.bufferData(gl.PIXEL_PACK_BUFFER, data.byteLength, gl.STREAM_READ);
+  gl.readPixels(0, 0, width, height, gl.RGBA, type, 0);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   return () => {
-    withBuffer(() => gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, data));
-    gl.deleteBuffer(buffer);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, data);
+    gl.deleteBuffer(buffer); // It is then no longer bound.
     return data;
   };
 }

@@ -84,7 +84,7 @@ export class VolumePictures {
 
   /**
    * Draw a picture's sparse rays, in floats.
-   * @returns a function that reads the pixels; call it before the next probe: RGBA, premultiplied, 0..1, bottom row first. null where
+   * @returns a function that reads the pixels, once, also after other probes: RGBA, premultiplied, 0..1, bottom row first. null where
    * the device can't draw floats
    */
   probe(lattice: PixelLattice, cast: Omit<Cast, 'maxCurvature'>): (() => Float32Array) | null {
@@ -125,7 +125,6 @@ function edgePasses(whole: Pass, { edges, edgeCurvature, asPoints }: SmoothEdges
 /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
 export function castableRays(layer: Pick<CastLayer, 'raysOf'>, view: View): RaySetup {
   const rays = layer.raysOf(view);
-  if (!rays)
-    throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
+  if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps it into a plane.');
   return rays;
 }

@@ -45,21 +45,21 @@ function placeTiles({ left, bottom, width, height }: PixelRectangle): PixelLatti
   );
 }
 
-/** The page is blocked for about this long at a time, ms: it says when the page may work, not what is drawn. */
-const blockedMs = 8;
+/** Tiles that are drawn before the page waits for them. */
+const atOnce = 4;
 
 /** Parts of a level's picture with all rays, as bytes; none where the device can't draw them. */
 function* drawTiles(probe: ErrorProbe, level: Level): Waiting<Pixels[]> {
   const tiles: Pixels[] = [];
-  let began = performance.now();
-  for (const lattice of probe.rectangle ? placeTiles(probe.rectangle) : []) {
-    const colors = probe.drawPart(lattice, level);
-    if (!colors) return [];
-    const { width, height } = lattice;
-    tiles.push({ data: Uint8Array.from(colors, (x) => Math.round(255 * Math.min(1, Math.max(0, x)))), width, height });
-    if (performance.now() - began < blockedMs) continue;
-    yield;
-    began = performance.now();
+  const lattices = probe.rectangle ? placeTiles(probe.rectangle) : [];
+  for (let from = 0; from < lattices.length; from += atOnce) {
+    const some = lattices.slice(from, from + atOnce);
+    const parts = yield* probe.drawParts(some, level);
+    if (!parts) return [];
+    for (const [i, { width, height }] of some.entries()) {
+      const data = Uint8Array.from(parts[i], (x) => Math.round(255 * Math.min(1, Math.max(0, x))));
+      tiles.push({ data, width, height });
+    }
   }
   return tiles;
 }

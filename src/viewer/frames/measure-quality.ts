@@ -178,9 +178,9 @@ export class ErrorProbe {
     return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
   }
 
-  /** Some pixels of a level's picture, in floats, at once; null where the device can't draw them. */
-  drawPart(lattice: PixelLattice, level: Level): Float32Array | null {
-    return atOnce(this.#drawAt([lattice], level.steps, this.view.cuts.own(level)));
+  /** Parts of a level's picture, in floats; null where the device can't draw them. */
+  *drawParts(lattices: readonly PixelLattice[], level: Level): Waiting<Float32Array[] | null> {
+    return yield* this.#drawEach(lattices, level.steps, this.view.cuts.own(level));
   }
 
   *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {
@@ -278,7 +278,14 @@ export class ErrorProbe {
   }
 
   *#drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array | null> {
-    const parts: Float32Array[] = [];
+    const parts = yield* this.#drawEach(lattices, steps, substeps);
+    if (!parts) return null;
+    return parts.length === 1 ? parts[0] : Float32Array.from(parts.flatMap((part) => [...part]));
+  }
+
+  /** Waits once for all of them: each wait for the GPU takes a millisecond or more, and most have few pixels. */
+  *#drawEach(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array[] | null> {
+    const reads: (() => Float32Array | null)[] = [];
     for (const lattice of lattices) {
       const read = this.scene.startProbe(
         { stepLength: stepLengthOf(this.grid, steps), substeps },
@@ -286,12 +293,16 @@ export class ErrorProbe {
         this.view.size,
       );
       if (!read) return null;
-      yield;
+      reads.push(read);
+    }
+    yield;
+    const parts: Float32Array[] = [];
+    for (const read of reads) {
       const part = read();
       if (!part) return null;
       parts.push(part);
     }
-    return parts.length === 1 ? parts[0] : Float32Array.from(parts.flatMap((part) => [...part]));
+    return parts;
   }
 }
 

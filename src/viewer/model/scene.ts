@@ -144,7 +144,7 @@ export interface Scene {
    * Draw some rays of the last picture.
    * @param rays - what differs from the plan of that picture
    * @param alone - no ray ends at a shape
-   * @returns a function that reads these rays: call it before others are drawn; it returns null where the context was lost.
+   * @returns a function that reads these rays, once, also after others were drawn; it returns null where the context was lost.
    * null instead of the function where the device can't do it
    */
   startProbe(

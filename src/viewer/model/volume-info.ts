@@ -122,49 +122,28 @@ export function styleOf({
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const {
-    grid,
-    unit,
-    range,
-    histogram,
-    format,
-    series,
-    source,
-    windows,
-    title,
-    anatomical,
-    credit,
-    lossy,
-    reduced,
-    radar,
-  } = volume;
-  const { dimensions, spacing, indexToWorld } = grid;
-  const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
+  const { dimensions, spacing, indexToWorld } = volume.grid;
+  const { left: notices = volume.left, details = [], ...radar } = volume.radar ?? {};
   const left = notices && [...notices, ...details];
   return {
     dimensions,
     spacing,
-    unit,
-    range,
-    histogram,
-    format,
+    unit: volume.unit,
+    range: volume.range,
+    histogram: volume.histogram,
+    format: volume.format,
     indexToWorld,
-    series,
-    source,
-    windows,
+    series: volume.series,
+    source: volume.source,
+    windows: volume.windows,
     channels: volume.channels?.infos,
-    title,
-    anatomical,
-    credit,
-    moment,
-    moments,
-    site,
-    time,
-    partial,
-    sweeps,
+    title: volume.title,
+    anatomical: volume.anatomical,
+    credit: volume.credit,
+    ...radar,
     left,
     notices,
-    lossy,
-    reduced,
+    lossy: volume.lossy,
+    reduced: volume.reduced,
   };
 }

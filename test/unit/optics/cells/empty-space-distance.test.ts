@@ -28,11 +28,11 @@ function blobs(x: number, y: number, z: number): number {
 }
 
 describe('macrocells', () => {
-  it('have 4 voxels along each edge while there are no more than 262,144 of them, else 8', () => {
+  it('have 4 voxels along each edge in a volume of no more than 256 voxels a side, else 8', () => {
     expect(chooseCellSize([256, 256, 256])).to.equal(4);
     expect(chooseCellSize([256, 257, 256])).to.equal(8);
     expect(chooseCellSize([512, 512, 64])).to.equal(4);
-    expect(chooseCellSize([2048, 2048, 1])).to.equal(4);
+    expect(chooseCellSize([4096, 4096, 1])).to.equal(4);
     const samples = new Uint8Array(9 * 5 * 4);
     expect(buildMacrocells(samples, [9, 5, 4])).to.deep.include({ dimensions: [3, 2, 1], size: 4 });
     expect(buildMacrocells(samples, [9, 5, 4], 8)).to.deep.include({ dimensions: [2, 1, 1], size: 8 });
