@@ -1,5 +1,4 @@
-import { offLine } from '../volume/cell-size.ts';
-import { finestSpacing } from '../volume/grid.ts';
+import { finestSpacing, offLine } from '../volume/grid.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';

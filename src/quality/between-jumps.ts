@@ -4,8 +4,7 @@ import type { rangeEmission } from '../optics/transfer/emission-range.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 import { evaluate } from '../optics/transfer/transfer-function.ts';
 import type { Premultiplied, Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
-import { offLine } from '../volume/cell-size.ts';
-import { finestSpacing } from '../volume/grid.ts';
+import { finestSpacing, offLine } from '../volume/grid.ts';
 import type { Waiting } from '../core/waiting.ts';
 
 /** What this file needs of parts of the package that are loaded before it. */

@@ -3,7 +3,7 @@ import type { SeenVolume } from '../optics/cells/cell-detail.ts';
 import type { ProjectedRays } from '../optics/rays/ray-style.ts';
 import { evaluate, largestOpacity } from '../optics/transfer/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from '../optics/transfer/transfer-function.ts';
-import { offLine } from '../volume/cell-size.ts';
+import { offLine } from '../volume/grid.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 import { atOnce } from '../core/waiting.ts';

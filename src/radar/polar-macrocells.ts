@@ -1,4 +1,5 @@
-import { chooseCellSize, offLine } from '../volume/cell-size.ts';
+import { chooseCellSize } from '../volume/cell-size.ts';
+import { offLine } from '../volume/grid.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import { spansOfRings } from './polar-geometry.ts';

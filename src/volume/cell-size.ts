@@ -1,5 +1,3 @@
-// What a page needs to know about macrocells, without the code that makes them, which runs in the worker.
-
 /** A volume with more voxels than this has large macrocells: else, too much time is spent on finding what they show. */
 const maxVoxels = 2 ** 24;
 
@@ -11,10 +9,3 @@ const maxVoxels = 2 ** 24;
 export function chooseCellSize([nx, ny, nz]: readonly [number, number, number]): number {
   return nx * ny * nz > maxVoxels ? 8 : 4;
 }
-
-/**
- * Between two samples that are one voxel apart, tri-linear values differ from the straight line by at most this share
- * of the roughness around them. Causes: kinks at up to three faces of voxels, each crossed half way, and the twist
- * inside a voxel.
- */
-export const offLine = 0.7;

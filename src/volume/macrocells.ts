@@ -1,4 +1,5 @@
-import { chooseCellSize, offLine } from './cell-size.ts';
+import { chooseCellSize } from './cell-size.ts';
+import { offLine } from './grid.ts';
 import type { Vector3 } from './matrix.ts';
 import { alongX, alongY, alongZ, high as highOf, low as lowOf, measureRow, perCell, seam } from './measure-row.ts';
 import type { Measures, Row } from './measure-row.ts';

@@ -148,7 +148,7 @@ export async function run() {
     // The first turn of each is for the compiler.
     for (let turn = 0; turn <= repeats; turn++) {
       const ranges = time(() => findRanges(samples));
-      const cells = time(() => buildMacrocells(samples, [edge, edge, edge]));
+      const cells = time(() => buildMacrocells(samples, [edge, edge, edge], cellSize));
       if (
         String(ranges.result.low) !== String(cells.result.low) ||
         String(ranges.result.high) !== String(cells.result.high)

@@ -1,5 +1,4 @@
-import { finestSpacing } from '../../volume/grid.ts';
-import { offLine } from '../../volume/cell-size.ts';
+import { finestSpacing, offLine } from '../../volume/grid.ts';
 import type { VolumeData } from '../../volume/volume.ts';
 import { atOnce } from '../../core/waiting.ts';
 import type { Waiting } from '../../core/waiting.ts';

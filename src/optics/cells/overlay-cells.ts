@@ -1,5 +1,4 @@
-import { offLine } from '../../volume/cell-size.ts';
-import { finestSpacing } from '../../volume/grid.ts';
+import { finestSpacing, offLine } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { VolumeData } from '../../volume/volume.ts';

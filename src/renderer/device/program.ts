@@ -38,11 +38,9 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
 
 /** @param log - the compiler's own message */
 export function shaderError(log: string | null): VolumeViewError {
-  return new VolumeViewError(
-    'webgl/shader',
-    'the graphics driver refused the program; update the browser or the driver',
-    { cause: new Error(log ?? 'no log') },
-  );
+  return new VolumeViewError('webgl/shader', 'the graphics driver refused the program; update browser or driver', {
+    cause: new Error(log ?? ''),
+  });
 }
 
 interface ActiveUniform {

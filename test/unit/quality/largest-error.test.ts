@@ -12,7 +12,7 @@ import {
 } from '../../../src/optics/cells/cell-detail.ts';
 import type { SeenVolume } from '../../../src/optics/cells/cell-detail.ts';
 import { buildMacrocells } from '../../../src/volume/macrocells.ts';
-import { offLine } from '../../../src/volume/cell-size.ts';
+import { offLine } from '../../../src/volume/grid.ts';
 import type { Waiting } from '../../../src/core/waiting.ts';
 import type { VolumeData } from '../../../src/volume/volume.ts';
 import { randomNumbers, syntheticVolume } from '../../helpers/synthetic.ts';

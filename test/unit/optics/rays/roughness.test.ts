@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../../../src/optics/rays/interpolate.ts';
-import { offLine } from '../../../../src/volume/cell-size.ts';
+import { offLine } from '../../../../src/volume/grid.ts';
 import { buildMacrocells, emptyMacrocells } from '../../../../src/volume/macrocells.ts';
 import type { Macrocells } from '../../../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
