@@ -3,6 +3,8 @@ import type { LabelMap } from './labels.ts';
 
 /** The labels that may occur at any point of each cell. */
 export interface LabelCells {
+  /** Voxels along each edge of a cell. */
+  readonly size: number;
   /** Where the numbers of each cell begin, i fastest; the last entry is the end of the last cell. */
   readonly starts: Uint32Array;
   /** Each number once per cell. */
@@ -48,7 +50,7 @@ export function* listLabels(
     }
   }
   starts[starts.length - 1] = count;
-  return { starts, numbers: found.slice(0, count) };
+  return { size: edge, starts, numbers: found.slice(0, count) };
 }
 
 function beginOf(cell: number, edge: number): number {

@@ -1,4 +1,3 @@
-import { chooseCellSize } from '../../volume/cell-size.ts';
 import { finestSpacing } from '../../volume/grid.ts';
 import type { LabelCells } from '../../volume/label-cells.ts';
 import type { LabelStyle } from '../../volume/labels.ts';
@@ -48,18 +47,17 @@ export function appearanceOfCells({ starts, numbers }: LabelCells, styles: reado
 
 /**
  * The same for smaller macrocells, as those of bricks: each has what the cell has in which it lies.
- * @param dimensions - voxels of the labels
+ * @param labels - voxels of the labels along each axis, and of their cells along each edge
  */
 export function divideAppearances(
   whole: CellAppearances,
-  dimensions: Vector3,
+  labels: { readonly dimensions: Vector3; readonly size: number },
   { dimensions: cells, size }: Pick<Macrocells, 'dimensions' | 'size'>,
 ): CellAppearances {
-  const edge = chooseCellSize(dimensions);
-  if (size === edge) return whole;
+  if (size === labels.size) return whole;
   const { max, spread, groups } = whole;
-  const [lx, ly] = dimensions.map((n) => Math.ceil(n / edge));
-  const large = (n: number): number => Math.floor((n * size) / edge);
+  const [lx, ly] = labels.dimensions.map((n) => Math.ceil(n / labels.size));
+  const large = (n: number): number => Math.floor((n * size) / labels.size);
   const from = new Uint32Array(cells[0] * cells[1] * cells[2]);
   for (let z = 0, at = 0; z < cells[2]; z++)
     for (let y = 0; y < cells[1]; y++)

@@ -171,7 +171,7 @@ export class LabelLayer {
   #appearancesOf({ styles, map }: ShownLabels, { macrocells }: VolumeData): CellAppearances {
     const { cells } = this.#brought!;
     return this.#looks.get([cells, styles, macrocells.size], () =>
-      divideAppearances(appearanceOfCells(cells, styles), map.dimensions, macrocells),
+      divideAppearances(appearanceOfCells(cells, styles), { dimensions: map.dimensions, size: cells.size }, macrocells),
     );
   }
 

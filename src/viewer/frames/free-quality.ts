@@ -46,14 +46,14 @@ function placeTiles({ left, bottom, width, height }: PixelRectangle): PixelLatti
 }
 
 /** Tiles that are drawn before the page waits for them. */
-const atOnce = 4;
+const tilesAtOnce = 4;
 
 /** Parts of a level's picture with all rays, as bytes; none where the device can't draw them. */
 function* drawTiles(probe: ErrorProbe, level: Level): Waiting<Pixels[]> {
   const tiles: Pixels[] = [];
   const lattices = probe.rectangle ? placeTiles(probe.rectangle) : [];
-  for (let from = 0; from < lattices.length; from += atOnce) {
-    const some = lattices.slice(from, from + atOnce);
+  for (let from = 0; from < lattices.length; from += tilesAtOnce) {
+    const some = lattices.slice(from, from + tilesAtOnce);
     const parts = yield* probe.drawParts(some, level);
     if (!parts) return [];
     for (const [i, { width, height }] of some.entries()) {

@@ -179,8 +179,8 @@ export class ErrorProbe {
   }
 
   /** Parts of a level's picture, in floats; null where the device can't draw them. */
-  *drawParts(lattices: readonly PixelLattice[], level: Level): Waiting<Float32Array[] | null> {
-    return yield* this.#drawEach(lattices, level.steps, this.view.cuts.own(level));
+  drawParts(lattices: readonly PixelLattice[], level: Level): Waiting<Float32Array[] | null> {
+    return this.#drawEach(lattices, level.steps, this.view.cuts.own(level));
   }
 
   *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {

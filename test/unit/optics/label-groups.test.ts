@@ -135,7 +135,11 @@ describe('transfer functions of groups of labels', () => {
 
   it('are what could be missed in the cells that have them', () => {
     // Four cells: without groups, one group, both, and one whose label is hidden.
-    const cells: LabelCells = { starts: Uint32Array.of(0, 1, 2, 4, 5), numbers: Uint16Array.of(0, 1, 0, 1, 2) };
+    const cells: LabelCells = {
+      size: 4,
+      starts: Uint32Array.of(0, 1, 2, 4, 5),
+      numbers: Uint16Array.of(0, 1, 0, 1, 2),
+    };
     const looks = appearanceOfCells(cells, [
       plainAppearance,
       { ...plainAppearance, group: 1 },

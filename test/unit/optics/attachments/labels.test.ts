@@ -246,8 +246,8 @@ function cellsOf(map: LabelMap): LabelCells {
 describe('cells and their labels', () => {
   it('hold the label of any place in them, once each', () => {
     const map = noise([20, 9, 17], 400);
-    const { starts, numbers } = cellsOf(map);
-    const size = chooseCellSize(map.dimensions);
+    const { size, starts, numbers } = cellsOf(map);
+    expect(size, 'as macrocells have it').to.equal(chooseCellSize(map.dimensions));
     const cells = map.dimensions.map((n) => Math.ceil(n / size));
     for (let n = 0; n < 3000; n++) {
       const place = randomPlace();
