@@ -20,6 +20,7 @@ import { cartesianTapsOf } from '../../src/renderer/ray/modules/field-taps.ts';
 import { channelColorsModule, channelsText } from '../../src/renderer/ray/modules/channels.ts';
 import { overlayAppearanceText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
+import { weighedText } from '../../src/renderer/ray/modules/weighed-texels.ts';
 import { styledText, stylingText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
@@ -40,12 +41,19 @@ export type Level = RayText | null;
 
 const bits = [false, true] as const;
 
-/** How cartesian volumes can be stored: only floats may have missing data, and only filtering in the shader can skip them. */
+/** Volumes whose texels have weights; of a mosaic, also with each voxel fetched. */
+function weighed(webgl2: boolean): RayText[] {
+  const text = weighedText(cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: false }));
+  return webgl2 ? [text] : [text, { ...text, defines: { ...text.defines, FILTER_IN_SHADER: 1 } }];
+}
+
+/** How cartesian volumes can be stored: only floats may have missing data, and a filter skips these where texels hold weights. */
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) =>
     bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader })),
   ),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
+  ...weighed(webgl2),
   ...(webgl2 ? [bricksText({ twoBytes: true, noData: false, filterInShader: false })] : []),
   ...(webgl2 ? [bricksText({ twoBytes: false, noData: true, filterInShader: true })] : []),
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),

@@ -37,6 +37,13 @@ bool interpolateOverlay(vec3 q, out float stored) {
   return weights >= 0.5;
 }
 
+#if OVERLAY_HOLES
+/// The same as uValueChannels, uWeightChannels and uWeighedFrom.
+uniform vec4 uOverlayValues;
+uniform vec4 uOverlayWeights;
+uniform float uOverlayFrom;
+#endif
+
 /// Stored value of the layer at a place of the volume's unit cube. False outside of the layer's grid, and if it has no data there.
 bool sampleOverlay(vec3 p, out float stored) {
   vec3 q = (uToOverlay * vec4(p, 1.0)).xyz;
@@ -44,13 +51,9 @@ bool sampleOverlay(vec3 p, out float stored) {
   if (any(lessThan(q, vec3(-OVERLAY_SLACK))) || any(greaterThan(q, vec3(1.0 + OVERLAY_SLACK)))) return false;
 #if OVERLAY_HOLES
   // The weighted sum of values (0 for missing data), and the sum of the weights. Twin: optics/rays/interpolate.ts
-  vec4 sums = filterOverlay(q);
-#if WEBGL2
-  float weights = sums.g;
-#else
-  float weights = sums.a;
-#endif
-  stored = sums.r / max(weights, 0.5);
+  vec4 texel = filterOverlay(q);
+  float weights = dot(texel, uOverlayWeights);
+  stored = uOverlayFrom + dot(texel, uOverlayValues) / max(weights, 0.5);
   return weights >= 0.5;
 #elif OVERLAY_FILTER
   stored = decodeOverlay(filterOverlay(q));

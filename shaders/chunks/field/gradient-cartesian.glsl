@@ -7,22 +7,16 @@ vec3 growsTowards(vec3 p, vec3 from, vec3 perVoxel) {
   return perVoxel;
 }
 
-#ifdef BRICKS
+#if defined(BRICKS) || FILTER_IN_SHADER || NO_DATA
 #define TAPS_IN_LOOP
 
 vec3 tapSteps(vec3 from) {
+#ifdef BRICKS
   inAtlas(from);
   return 1.0 / voxelScale;
-}
-
-bool tapField(vec3 at, out float stored) {
-  return sampleVolume(at, stored);
-}
-#elif FILTER_IN_SHADER
-#define TAPS_IN_LOOP
-
-vec3 tapSteps(vec3 from) {
+#else
   return 1.0 / uDimensions;
+#endif
 }
 
 bool tapField(vec3 at, out float stored) {

@@ -1,4 +1,4 @@
-import type { VolumeData } from '../../volume/volume.ts';
+import type { Samples, VolumeData } from '../../volume/volume.ts';
 
 /** Missing data are stored as this, because GLSL ES need not support NaN. The shader reads all values below -3e38 as no data. */
 const noDataSentinel = -3.4028234e38;
@@ -20,4 +20,9 @@ export function chooseFloatScale({ range, slope, intercept }: VolumeData): numbe
 
 export function prepareFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
   return Float32Array.from(samples, (value) => (Number.isFinite(value) ? value / scale : noDataSentinel));
+}
+
+/** Changes a volume's floats like that, if they need it. */
+export function packFloats({ hasNoData }: Pick<VolumeData, 'hasNoData'>, scale: number): (samples: Samples) => Samples {
+  return (samples) => (hasNoData || scale !== 1 ? prepareFloats(samples as Float32Array, scale) : samples);
 }

@@ -14,8 +14,7 @@ import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
 import { joinInputs } from '../device/inputs.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
 import { Kept } from '../device/kept.ts';
-import { askTwoByteFilter } from '../probes/probe-device.ts';
-import { prepareCartesian } from '../ray/modules/cartesian-field.ts';
+import { loadCartesianChunks, prepareCartesian } from '../ray/modules/cartesian-field.ts';
 import { overlayAppearanceText } from '../ray/modules/overlay.ts';
 import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module.ts';
 import { uploadOverlayTable } from './overlay-table.ts';
@@ -63,7 +62,6 @@ export class OverlayLayer {
   /** Upload a small overlay at once, and a large one piece by piece between frames. */
   async #bring(overlay: ShownOverlay): Promise<SecondField | null> {
     const { volume } = overlay;
-    if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
     const second =
       isPolar(volume) &&
@@ -71,8 +69,11 @@ export class OverlayLayer {
         this.providers.polar!().then((polar) => polar.second!()),
         'shows a second moment',
       ));
+    const { weighTexels } = !isPolar(volume) && volume.hasNoData ? await loadCartesianChunks() : {};
     if (this.#wanted !== overlay) return null;
-    const upload = second ? second(this.gl, overlay, this.device) : uploadOverlay(this.gl, volume, this.device);
+    const upload = second
+      ? second(this.gl, overlay, this.device)
+      : uploadOverlay(this.gl, volume, { device: this.device, weighTexels });
     return volume.samples.byteLength <= quickBytes
       ? finishUpload(upload)
       : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);

@@ -1,30 +1,44 @@
 import { toOverlay } from '../../optics/attachments/overlay.ts';
-import type { Samples, VolumeData } from '../../volume/volume.ts';
+import type { VolumeData } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device/device.ts';
 import { isFiltered, uploadBlock } from '../ray/modules/cartesian-field.ts';
 import { overlayText, overlayTwins } from '../ray/modules/overlay.ts';
 import type { SecondField } from '../ray/ray-module.ts';
+import type { WeighedTexels } from '../ray/modules/weighed-texels.ts';
 import type { Upload } from '../textures/fill-texture.ts';
-import { pairTexels, weighFloats } from '../textures/float-pairs.ts';
+
+/** What an upload needs besides the volume. */
+interface OverlayUpload {
+  readonly device: Device;
+  /** Makes texels for the device's filter where some voxels have no data; undefined where all have. */
+  readonly weighTexels: ((gl: Gl, volume: VolumeData, device: Device) => Upload<WeighedTexels | null>) | undefined;
+}
 
 /** Upload a second field on a cartesian grid, which need not be that of the first. */
-export function* uploadOverlay(gl: Gl, volume: VolumeData, device: Device): Upload<SecondField> {
-  const { slope, intercept, samples, grid, hasNoData } = volume;
-  // If the device filters floats, it also filters floats with holes (missing data).
-  const holes = hasNoData && samples instanceof Float32Array && device.floatLinear;
+export function* uploadOverlay(
+  gl: Gl,
+  volume: VolumeData,
+  { device, weighTexels }: OverlayUpload,
+): Upload<SecondField> {
+  const { slope, intercept, samples, grid } = volume;
+  const weighing = weighTexels ? yield* weighTexels(gl, volume, device) : null;
+  const channels = weighing?.channels;
+  const holes = weighing !== null;
   const filter = holes || isFiltered(volume, device);
-  const packing = holes
-    ? {
-        texels: pairTexels(gl),
-        pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale),
-      }
-    : undefined;
-  const block = yield* uploadBlock(gl, volume, { device, filterInShader: !filter, packing });
+  const block = yield* uploadBlock(gl, volume, { device, filterInShader: !filter, packing: weighing });
   const {
     uniforms: { uMosaic },
     units: [unit],
   } = block.inputs();
-  const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
+  const uniforms = {
+    uOverlayDimensions: grid.dimensions,
+    ...(uMosaic && { uOverlayMosaic: uMosaic }),
+    ...(channels && {
+      uOverlayValues: channels.values,
+      uOverlayWeights: channels.weights,
+      uOverlayFrom: channels.from,
+    }),
+  };
   return {
     twins: overlayTwins,
     text: overlayText({ texture3d: device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),

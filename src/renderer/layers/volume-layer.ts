@@ -19,7 +19,6 @@ import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
 import type { Upload } from '../textures/fill-texture.ts';
 import { joinInputs } from '../device/inputs.ts';
 import type { ProgramInputs } from '../device/inputs.ts';
-import { askTwoByteFilter } from '../probes/probe-device.ts';
 import { chooseModules } from '../ray/choose-modules.ts';
 import { listSamplers, maxSamplers } from '../ray/compose-ray.ts';
 import type { RayProgram } from '../ray/compose-ray.ts';
@@ -132,7 +131,7 @@ export class VolumeLayer {
     if (!style) return null;
     const made = await loadPart(
       import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
-      'draws projections and light',
+      'draws styles',
     );
     await this.#prepareStyle(made);
     return made;
@@ -168,7 +167,6 @@ export class VolumeLayer {
     this.#prepared = { grid: volume.grid };
     await this.#style?.prepare?.(volume);
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
-    if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
     if (volume.isDiscrete || volume.channels)
       this.#rare = (await loadPart(import('./label-layer.ts'), 'shows labels')).rareProvider;
@@ -192,7 +190,7 @@ export class VolumeLayer {
     // The context may have been lost long before, while the volume was loading: the gradual upload finds that out too.
     const slow =
       (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) &&
-      (await loadPart(import('../textures/upload-gradually.ts'), 'uploads volumes'));
+      (await loadPart(import('../textures/upload-gradually.ts'), 'reads volumes'));
     const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;

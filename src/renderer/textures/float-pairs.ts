@@ -20,11 +20,3 @@ export function pairUp(first: Float32Array, second: Float32Array): Float32Array<
   }
   return pairs;
 }
-
-/** Pairs of a float and 1, or 0 and 0 where data are missing: a linear filter then gives the weighted sum, and the sum of weights. */
-export function weighFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
-  return pairUp(
-    samples.map((value) => (Number.isFinite(value) ? value / scale : 0)),
-    samples.map((value) => (Number.isFinite(value) ? 1 : 0)),
-  );
-}

@@ -8,6 +8,9 @@ import {
   cartesianText,
   loadCartesianChunks,
 } from '../../../src/renderer/ray/modules/cartesian-field.ts';
+import { fetchEach } from '../../../src/renderer/ray/modules/columns.ts';
+import type { FieldModule } from '../../../src/renderer/ray/ray-module.ts';
+import { weighTexels } from '../../../src/renderer/ray/modules/weighed-texels.ts';
 import { createGl, releaseGl } from '../../helpers/gl.ts';
 import type { TestGl } from '../../helpers/gl.ts';
 import { sampleOnGpu } from '../../helpers/sample-field.ts';
@@ -34,6 +37,15 @@ function withSamples(volume: Volume, change: (value: number, at: number) => numb
   const samples = volume.samples.map(change);
   return { ...volume, samples, hasNoData: samples.some(Number.isNaN) };
 }
+
+/** With the range of its samples, for slope 1 and intercept 0. */
+function ranged(volume: Volume): Volume {
+  const values = Array.from(volume.samples).filter((value) => !Number.isNaN(value));
+  return { ...volume, range: [Math.min(...values), Math.max(...values)] };
+}
+
+const upload = ({ gl, device }: TestGl, volume: Volume): FieldModule =>
+  finishUpload(cartesianProvider.upload(gl, volume, device));
 
 await loadCartesianChunks();
 
@@ -142,6 +154,69 @@ for (const version of [1, 2] as const) {
       expect(expected.filter(Number.isNaN).length).to.be.above(50);
       expect(expected.filter((x) => !Number.isNaN(x)).length).to.be.above(150);
       expect(worst(sample(test, volume, at, true), volume, at)).to.be.below(1e-5);
+    });
+
+    // Of the largest difference of neighbours: the filter's weights have at least 8 bits.
+    for (const [name, low, span, whole] of [
+      ['floats', -3, 7, false],
+      ['whole numbers of 12 bits', -1024, 4095, true],
+      ['whole numbers of 16 bits', -32768, 65535, true],
+      ['whole numbers of 17 bits', 5, 131071, true],
+    ] as const) {
+      it(`leaves out voxels without data by the device's filter: ${name}`, () => {
+        const random = randomNumbers(13);
+        const number = (share: number): number => low + (whole ? Math.round(span * share) : Math.fround(span * share));
+        const volume = ranged(
+          withSamples(syntheticVolume({ dimensions, kind: 'float32' }), () =>
+            random() < 0.3 ? NaN : number(random() < 0.1 ? Math.round(random()) : random()),
+          ),
+        );
+        const field = upload(test, volume);
+        expect(field.defines).to.include({ WEIGHED: 1, FILTER_IN_SHADER: 0 });
+        const isPacked = test.version === 2 && whole && span < 65536;
+        // A mosaic has a few texels more than there are voxels.
+        expect(Math.floor(field.bytes / volume.samples.length)).to.equal(isPacked ? 4 : 8);
+        // A filter of 8 bits may take either side of a half.
+        const weights = withSamples(volume, (value) => (Number.isNaN(value) ? 0 : 1));
+        const at = points().filter((p) => Math.abs(interpolate(weights.samples, dimensions, p) - 0.5) > 0.01);
+        expect(at.length).to.be.above(300);
+        expect(worst(sampleOnGpu(test, volume, field, at), volume, at) / span).to.be.below(0.012);
+        // Where any transfer function has jumps, WebGL 1 fetches each voxel of the same texture.
+        const [each = field] = fetchEach(test.gl, field);
+        if (test.version === 1) expect(each).not.to.equal(field);
+        const fetched = worst(sampleOnGpu(test, volume, each as typeof field, at), volume, at) / span;
+        expect(fetched).to.be.below(test.version === 1 ? 1e-5 : 0.012);
+        field.dispose();
+      });
+    }
+
+    it('keeps a constant next to voxels without data, whatever its weights are', () => {
+      for (const constant of [0, 1, 1234, -777, 0.1]) {
+        const random = randomNumbers(14);
+        const volume = ranged(
+          withSamples(syntheticVolume({ dimensions, kind: 'float32' }), () => (random() < 0.3 ? NaN : constant)),
+        );
+        const got = sample(test, volume, points(), false).filter((value) => !Number.isNaN(value));
+        expect(got.length).to.be.above(300);
+        const off = Math.max(...got.map((value) => Math.abs(value - Math.fround(constant))));
+        expect(off).to.be.at.most(3e-7 * Math.abs(constant));
+      }
+    });
+
+    it('fetches each voxel where the device filters no floats, or where there are too many for pairs of floats', () => {
+      const volume = withSamples(syntheticVolume({ dimensions, kind: 'float32' }), (value, i) =>
+        i % 5 === 0 ? NaN : value,
+      );
+      const unfiltered = finishUpload(
+        cartesianProvider.upload(test.gl, volume, { ...test.device, floatLinear: false, twoByteLinear: false }),
+      );
+      expect(unfiltered.defines).to.include({ FILTER_IN_SHADER: 1 });
+      expect(unfiltered.defines).not.to.have.property('WEIGHED');
+      expect(worst(sampleOnGpu(test, volume, unfiltered, points()), volume, points())).to.be.below(1e-5);
+      unfiltered.dispose();
+      const samples = { length: 2 ** 25 + 1, byteLength: 2 ** 27 + 4, 0: 0.5 };
+      const many = { ...volume, samples: samples as unknown as Float32Array<ArrayBuffer> };
+      expect(finishUpload(weighTexels(test.gl, many, test.device))).to.equal(null);
     });
 
     it('holds the layout for one slice, one row and one voxel', () => {

@@ -25,6 +25,7 @@ interface Case {
 const random = randomNumbers(20);
 const hole = (x: number, y: number, z: number): number =>
   Math.hypot(x - 0.4, y - 0.6, z - 0.5) < 0.25 ? NaN : smoothField(x, y, z);
+const wholeWithHole = (x: number, y: number, z: number): number => Math.round(4095 * hole(x, y, z)) - 1000;
 const quarter = Math.PI / 2;
 
 const cases: Case[] = [
@@ -33,6 +34,29 @@ const cases: Case[] = [
   { name: 'float', data: { kind: 'float32' } },
   { name: '16 bit in Hounsfield units', data: { kind: 'uint16', slope: 3000, intercept: -1000 } },
   { name: 'no data', data: { kind: 'float32', field: hole } },
+  // Two bytes of a whole number in a texel, with a weight, where the device filters these.
+  {
+    name: 'no data among whole numbers',
+    data: { kind: 'float32', field: wholeWithHole },
+    optics: {
+      transferFunction: [
+        { value: -900, color: [0.2, 0.5, 1], opacity: 0 },
+        { value: 3000, color: [1, 0.9, 0.2], opacity: 0.6 },
+      ],
+    },
+  },
+  {
+    name: 'no data among whole numbers, opaque from a value on',
+    data: { kind: 'float32', field: wholeWithHole },
+    optics: {
+      transferFunction: [
+        { value: -1000, color: [0.2, 0.5, 1], opacity: 0 },
+        { value: 1100, color: [0.2, 0.5, 1], opacity: 0.2 },
+        { value: 1100, color: [1, 0.9, 0.2], opacity: 1 },
+        { value: 3095, color: [1, 0.9, 0.2], opacity: 1 },
+      ],
+    },
+  },
   { name: 'anisotropic', data: { spacing: [0.5, 1, 3] } },
   { name: 'flipped', data: { kind: 'uint16', indexToWorld: [2, 0, 0, 5, 0, -1, 0, 9, 0, 0, -1.5, -4, 0, 0, 0, 1] } },
   { name: 'oblique and sheared', data: { indexToWorld: obliqueAffine(random, [1, -1.3, 0.8], [30, -20, 10]) } },
@@ -96,7 +120,15 @@ function viewOf({ data, orbit, camera, steps = 60, optics }: Case): View {
 const expectationOf = remember((one: Case) => expectWalks(viewOf(one)));
 
 /** One for each kind of texture and of table. */
-const fromTextures = new Set(['8 bit', '16 bit', 'float', 'no data', 'one slice', 'opaque']);
+const fromTextures = new Set([
+  '8 bit',
+  '16 bit',
+  'float',
+  'no data',
+  'no data among whole numbers, opaque from a value on',
+  'one slice',
+  'opaque',
+]);
 
 for (const version of [2, 1] as const) {
   describe(`the picture in WebGL ${version} is the reference's`, () => {

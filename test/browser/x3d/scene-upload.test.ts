@@ -152,7 +152,12 @@ for (const webgl1 of [false, true]) {
             pieces.reduce((sum, { bytes }) => sum + bytes, 0),
             'bytes given',
           ).to.equal(taken);
-          expect(taken / volume.samples.byteLength, 'bytes taken for each of the samples').to.be.within(1, 1.3);
+          // Floats of which some have no data come with their weights.
+          const most = kind === 'floats' ? 2 : 1;
+          expect(taken / volume.samples.byteLength, 'bytes taken for each of the samples').to.be.within(
+            most,
+            1.3 * most,
+          );
 
           scene.setVolume(small);
           expect(comparePictures(draw(scene, small), gradual).rmse, 'another volume looks otherwise').to.be.above(5);

@@ -2,4 +2,5 @@
 export { default as interpolateVoxels } from '../../../../shaders/chunks/field/interpolate.glsl?raw';
 export { default as volumeMosaic } from '../../../../shaders/chunks/field/volume-mosaic.glsl?raw';
 export { allocatePlane, fillPlane } from '../../textures/fill-plane.ts';
-export { chooseFloatScale, prepareFloats } from '../../device/prepare-floats.ts';
+export { chooseFloatScale, packFloats } from '../../device/prepare-floats.ts';
+export { weighTexels } from './weighed-texels.ts';

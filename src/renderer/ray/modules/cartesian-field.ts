@@ -4,12 +4,14 @@ import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 import { VolumeViewError } from '../../../core/errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
+import type { Vector3 } from '../../../volume/matrix.ts';
 import type { Samples, VolumeData } from '../../../volume/volume.ts';
 import { isWebGl2 } from '../../device/device.ts';
 import type { Device, Gl } from '../../device/device.ts';
 import { allocateTexture3d, fillTexture3d, slowBytes, texelsOf } from '../../textures/fill-texture.ts';
 import type { Texels, Upload } from '../../textures/fill-texture.ts';
 import type { Uniforms } from '../../device/inputs.ts';
+import { askTwoByteFilter } from '../../probes/probe-device.ts';
 import { textureUnit } from '../../device/texture-unit.ts';
 import { loadPart } from '../../../core/load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
@@ -31,12 +33,13 @@ export interface CartesianOptions {
 let chunks: typeof Chunks | null = null;
 
 /** Load the code for mosaics, floats and filtering in the shader; await it before the upload. @throws {VolumeViewError} `format/unsupported` */
-export async function loadCartesianChunks(): Promise<void> {
-  chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes');
+export async function loadCartesianChunks(): Promise<typeof Chunks> {
+  return (chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes'));
 }
 
-/** The same, but only if the volume needs this code. */
+/** Load the same, and ask the device for its filter, but only if the volume needs these. */
 export async function prepareCartesian(volume: VolumeData, device: Device): Promise<void> {
+  if (volume.samples instanceof Uint16Array || volume.hasNoData) await askTwoByteFilter(device);
   if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device))
     await loadCartesianChunks();
 }
@@ -46,8 +49,8 @@ export function isFiltered(
   { samples, hasNoData }: Pick<VolumeData, 'samples' | 'hasNoData'>,
   { twoByteLinear, floatLinear }: Device,
 ): boolean {
-  if (samples instanceof Uint16Array) return twoByteLinear === true;
-  return !hasNoData && (samples instanceof Uint8Array || floatLinear);
+  if (samples instanceof Uint16Array) return !!twoByteLinear;
+  return !hasNoData && (floatLinear || samples instanceof Uint8Array);
 }
 
 /** Await `prepareCartesian` first, unless the volume is a 3D texture that the device filters. */
@@ -86,9 +89,10 @@ export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
 
 function* uploadCartesian(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
   const { samples, hasNoData: noData } = volume;
-  const filterInShader = !isFiltered(volume, device);
-  const block = yield* uploadBlock(gl, volume, { device, filterInShader });
-  return {
+  const weighed = noData ? yield* chunks!.weighTexels(gl, volume, device) : null;
+  const filterInShader = !weighed && !isFiltered(volume, device);
+  const block = yield* uploadBlock(gl, volume, { device, filterInShader, packing: weighed });
+  const field: FieldModule = {
     ...block,
     ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }),
     stage: 'field',
@@ -96,23 +100,26 @@ function* uploadCartesian(gl: Gl, volume: VolumeData, device: Device): Upload<Fi
     order: 2,
     twin: cartesianTwin,
   };
+  return weighed?.read(field) ?? field;
 }
 
 /** The members of a field module that a texture of samples provides: how samples are stored, and how shaders read them. */
 export type BlockTexture = Pick<FieldModule, 'storedScale' | 'bytes' | 'inputs' | 'dispose'>;
 
+/** Converts samples before their upload. */
+type Pack = (samples: Samples) => Samples;
+
 /** How samples are converted to texels, if they are not stored as they are. */
 export interface Packing {
   readonly texels: Texels;
-  /** @param floatScale - the divisor of floats */
-  pack(samples: Samples, floatScale: number): Samples;
+  readonly pack: Pack;
 }
 
 /** How a block is uploaded. */
 export interface BlockOptions {
   readonly device: Device;
   readonly filterInShader: boolean;
-  readonly packing?: Packing;
+  readonly packing?: Packing | null;
 }
 
 /**
@@ -129,13 +136,16 @@ export function* uploadBlock(
     grid: { dimensions },
   } = volume;
   const texture3d = isWebGl2(gl);
-  const float = samples instanceof Float32Array;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
-  if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
+  const refuse = (): VolumeViewError => tooLarge(volume, device);
+  if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw refuse();
 
   const storedScale = storedScaleOf(volume);
-  const floatScale = float ? storedScale : 1;
-  const texture = yield* fill(gl, volume, { atlas, floatScale, packing, tooLarge: () => tooLarge(volume, device) });
+  const texels = packing?.texels ?? texelsOf(gl, samples);
+  const pack =
+    packing?.pack ??
+    (samples instanceof Float32Array ? chunks!.packFloats(volume, storedScale) : (some: Samples): Samples => some);
+  const texture = yield* fill(gl, { samples, dimensions, texels, atlas, pack, refuse });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, {
@@ -146,7 +156,7 @@ export function* uploadBlock(
   });
   return {
     storedScale,
-    bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
+    bytes: (atlas ? atlas.width * atlas.height : samples.length) * texels.bytes,
     inputs: () => ({ uniforms, units: [unit] }),
     dispose: () => gl.deleteTexture(texture),
   };
@@ -160,28 +170,18 @@ export function storedScaleOf(volume: Block): number {
 }
 
 interface Filling {
+  readonly samples: Samples;
+  readonly dimensions: Vector3;
+  readonly texels: Texels;
   /** Null for a 3D texture. */
   readonly atlas: AtlasLayout | null;
-  /** The divisor of floats. */
-  readonly floatScale: number;
-  readonly packing: Packing | undefined;
-  readonly tooLarge: () => VolumeViewError;
+  readonly pack: Pack;
+  /** The error if it is too large. */
+  readonly refuse: () => VolumeViewError;
 }
 
 /** Make a texture with all of a volume's samples. */
-function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
-  const {
-    samples,
-    grid: { dimensions },
-  } = volume;
-  const changes = volume.hasNoData || floatScale !== 1;
-  const prepare = (some: Samples): Samples =>
-    packing
-      ? packing.pack(some, floatScale)
-      : some instanceof Float32Array && changes
-        ? chunks!.prepareFloats(some, floatScale)
-        : some;
-  const texels = packing?.texels ?? texelsOf(gl, samples);
+function* fill(gl: Gl, { samples, dimensions, texels, atlas, pack, refuse }: Filling): Upload<WebGLTexture> {
   const texture = gl.createTexture();
   let isWhole = false;
   try {
@@ -190,10 +190,10 @@ function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: re
     else chunks!.allocatePlane(gl, texels, atlas!);
     if (samples.byteLength > slowBytes) yield Infinity;
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
-    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions, texels }, prepare);
+    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions, texels }, pack);
     else
       yield* chunks!.fillPlane(gl, texture, { texels, ...atlas! }, (first, count) =>
-        prepare(packAtlas(samples, dimensions, atlas!, { first, count })),
+        pack(packAtlas(samples, dimensions, atlas!, { first, count })),
       );
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     isWhole = true;

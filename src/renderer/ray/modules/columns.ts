@@ -70,18 +70,14 @@ export function createColumns(gl: Gl): {
 
 /** Fetches each voxel of a mosaic: the device's filter may mix in a little of the neighbouring tile, which is visible next to a jump. */
 export function fetchEach(gl: Gl, field: FieldModule): readonly RayModule[] {
-  const { TEXTURE_3D, TWO_BYTES, NO_DATA, FILTER_IN_SHADER } = field.defines;
+  const { TEXTURE_3D, TWO_BYTES, NO_DATA, FILTER_IN_SHADER, WEIGHED } = field.defines;
   if (TEXTURE_3D !== 0 || FILTER_IN_SHADER !== 0) return [];
   const inputs = (): ProgramInputs => {
     const { uniforms, units } = field.inputs();
     return { uniforms, units: units.map((unit) => ({ ...unit, minFilter: gl.NEAREST, magFilter: gl.NEAREST })) };
   };
-  return [
-    {
-      ...field,
-      ...cartesianText({ texture3d: false, twoBytes: TWO_BYTES === 1, noData: NO_DATA === 1, filterInShader: true }),
-      stage: 'field',
-      inputs,
-    },
-  ];
+  const text = WEIGHED
+    ? { ...field, defines: { ...field.defines, FILTER_IN_SHADER: 1 } }
+    : cartesianText({ texture3d: false, twoBytes: TWO_BYTES === 1, noData: NO_DATA === 1, filterInShader: true });
+  return [{ ...field, ...text, stage: 'field', inputs }];
 }

@@ -26,7 +26,7 @@ export interface OverlayOptions {
   readonly twoBytes: boolean;
   /** The device's filter interpolates. */
   readonly filter: boolean;
-  /** The filter interpolates floats of which some have no data, see `weighFloats`. */
+  /** The filter interpolates floats of which some have no data, see `weighTexels`. */
   readonly holes: boolean;
 }
 
