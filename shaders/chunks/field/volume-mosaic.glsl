@@ -13,7 +13,7 @@ vec2 tileOrigin(float slice) {
 float fetchVoxel(vec3 index) {
   vec4 texel = texture2D(uVolume, (tileOrigin(index.z) + index.xy + 0.5) / uMosaic.zw);
 #ifdef WEIGHED
-  if (dot(texel, uWeightChannels) < 0.5) return -3.4e38;
+  if (dot(texel, uWeightChannels) < 0.5) return -3.4e38; // Below NO_DATA_BELOW.
   return uWeighedFrom + dot(texel, uValueChannels);
 #else
   return decodeTexel(texel);

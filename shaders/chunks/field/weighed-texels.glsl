@@ -3,5 +3,5 @@
 uniform vec4 uValueChannels;
 uniform vec4 uWeightChannels;
 
-/// The value of which texels store the differences.
+/// Texels store differences from this value.
 uniform float uWeighedFrom;

@@ -2,10 +2,10 @@ import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { Samples, VolumeData } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../core/errors.ts';
+import { isWebGl2 } from '../../renderer/device/device.ts';
 import type { Device, Gl } from '../../renderer/device/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/textures/fill-plane.ts';
-import type { Upload } from '../../renderer/textures/fill-texture.ts';
-import { pairTexels, pairUp } from '../../renderer/textures/float-pairs.ts';
+import type { Texels, Upload } from '../../renderer/textures/fill-texture.ts';
 import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';
 import { overlayTwins, secondMomentText } from '../../renderer/ray/modules/overlay.ts';
@@ -87,4 +87,22 @@ function dataValues({ samples, slope, intercept }: VolumeData): Convert {
       Float32Array.from(rows, (x) => (isNone(x) ? NaN : slope * x + intercept)),
       1,
     );
+}
+
+/** Texels of two floats. The second float is in green (WebGL 2) or alpha (WebGL 1). */
+function pairTexels(gl: Gl): Texels {
+  const shared = { type: gl.FLOAT, bytes: 8 };
+  return isWebGl2(gl)
+    ? { internal: gl.RG32F, format: gl.RG, ...shared }
+    : { internal: gl.LUMINANCE_ALPHA, format: gl.LUMINANCE_ALPHA, ...shared };
+}
+
+/** Interleave two lists of the same length: one number of each in turn. */
+function pairUp(first: Float32Array, second: Float32Array): Float32Array<ArrayBuffer> {
+  const pairs = new Float32Array(2 * first.length);
+  for (let i = 0; i < first.length; i++) {
+    pairs[2 * i] = first[i];
+    pairs[2 * i + 1] = second[i];
+  }
+  return pairs;
 }

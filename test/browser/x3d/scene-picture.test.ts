@@ -3,6 +3,7 @@ import { orbitCamera } from '../../../src/optics/rays/camera.ts';
 import type { Camera, Orbit } from '../../../src/optics/rays/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../../src/volume/grid.ts';
 import type { Volume } from '../../../src/volume/volume.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
 import type { Optics } from '../../../src/renderer/ray/ray-module.ts';
 import { casesIn } from '../../helpers/cases.ts';
 import { drawAsExpected, expectWalks } from '../../helpers/compare-with-twin.ts';
@@ -25,7 +26,11 @@ interface Case {
 const random = randomNumbers(20);
 const hole = (x: number, y: number, z: number): number =>
   Math.hypot(x - 0.4, y - 0.6, z - 0.5) < 0.25 ? NaN : smoothField(x, y, z);
-const wholeWithHole = (x: number, y: number, z: number): number => Math.round(4095 * hole(x, y, z)) - 1000;
+const amongWhole = (name: string, transferFunction: TransferFunction): Case => ({
+  name,
+  data: { kind: 'float32', field: (x, y, z) => Math.round(4095 * hole(x, y, z)) - 1000 },
+  optics: { transferFunction },
+});
 const quarter = Math.PI / 2;
 
 const cases: Case[] = [
@@ -35,28 +40,16 @@ const cases: Case[] = [
   { name: '16 bit in Hounsfield units', data: { kind: 'uint16', slope: 3000, intercept: -1000 } },
   { name: 'no data', data: { kind: 'float32', field: hole } },
   // Two bytes of a whole number in a texel, with a weight, where the device filters these.
-  {
-    name: 'no data among whole numbers',
-    data: { kind: 'float32', field: wholeWithHole },
-    optics: {
-      transferFunction: [
-        { value: -900, color: [0.2, 0.5, 1], opacity: 0 },
-        { value: 3000, color: [1, 0.9, 0.2], opacity: 0.6 },
-      ],
-    },
-  },
-  {
-    name: 'no data among whole numbers, opaque from a value on',
-    data: { kind: 'float32', field: wholeWithHole },
-    optics: {
-      transferFunction: [
-        { value: -1000, color: [0.2, 0.5, 1], opacity: 0 },
-        { value: 1100, color: [0.2, 0.5, 1], opacity: 0.2 },
-        { value: 1100, color: [1, 0.9, 0.2], opacity: 1 },
-        { value: 3095, color: [1, 0.9, 0.2], opacity: 1 },
-      ],
-    },
-  },
+  amongWhole('no data among whole numbers', [
+    { value: -900, color: [0.2, 0.5, 1], opacity: 0 },
+    { value: 3000, color: [1, 0.9, 0.2], opacity: 0.6 },
+  ]),
+  amongWhole('no data among whole numbers, opaque from a value on', [
+    { value: -1000, color: [0.2, 0.5, 1], opacity: 0 },
+    { value: 1100, color: [0.2, 0.5, 1], opacity: 0.2 },
+    { value: 1100, color: [1, 0.9, 0.2], opacity: 1 },
+    { value: 3095, color: [1, 0.9, 0.2], opacity: 1 },
+  ]),
   { name: 'anisotropic', data: { spacing: [0.5, 1, 3] } },
   { name: 'flipped', data: { kind: 'uint16', indexToWorld: [2, 0, 0, 5, 0, -1, 0, 9, 0, 0, -1.5, -4, 0, 0, 0, 1] } },
   { name: 'oblique and sheared', data: { indexToWorld: obliqueAffine(random, [1, -1.3, 0.8], [30, -20, 10]) } },

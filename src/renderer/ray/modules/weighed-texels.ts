@@ -26,7 +26,7 @@ export interface Channels {
   /** What each channel adds to the sum of values times their weights, and to the sum of weights. */
   readonly values: readonly number[];
   readonly weights: readonly number[];
-  /** The value of which texels store the differences. */
+  /** Texels store differences from this value. */
   readonly from: number;
 }
 
