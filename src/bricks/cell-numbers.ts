@@ -90,6 +90,18 @@ export class CellNumbers {
     });
   }
 
+  /** Counts a box of cells as changed, for who reads more than their numbers. @param high - is outside */
+  touch(low: Vector3, high: Vector3): void {
+    this.changes++;
+    const { cells, groups } = this;
+    const last = high.map((n, axis) => Math.min(n, cells[axis]) - 1) as unknown as Vector3;
+    this.#visitGroups(low, last, (group) => {
+      const entry = this.directory[group];
+      if (entry < 0) this.changesOfBlocks[-1 - entry] = this.changes;
+      else this.changesOfLayers[Math.floor(group / (groups[0] * groups[1]))] = this.changes;
+    });
+  }
+
   #setEntry(group: number, entry: number): void {
     this.directory[group] = entry;
     this.changesOfLayers[Math.floor(group / (this.groups[0] * this.groups[1]))] = this.changes;

@@ -33,7 +33,7 @@ import type { Brick } from './pyramid.ts';
 type CellBox = ReturnType<typeof cellsOfBrick>;
 
 /** A brick that rays can read, and the slot that it has. It becomes another object when its halo changes. */
-export interface ResidentBrick extends MeasuredBrick, Omit<BrickSamples, 'hasNoData'> {
+export interface ResidentBrick extends MeasuredBrick, BrickSamples {
   readonly slot: number;
 }
 
@@ -46,6 +46,10 @@ interface ChangedBox {
   readonly box: CellBox;
   readonly level: number;
 }
+
+/** Whether any voxel of a brick, its halo included, has no data. */
+const lacksData = (samples: Samples): boolean =>
+  samples instanceof Float32Array && !samples.every((value) => Number.isFinite(value));
 
 /** Whether two boxes have a face, an edge or a corner in common, or more. */
 function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean {
@@ -95,7 +99,7 @@ export class ResidentBricks implements FinerVoxels {
    * @param upload - see `FinerVoxels`
    */
   constructor(
-    readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells'>,
+    readonly volume: Pick<VolumeData, 'grid' | 'samples' | 'macrocells' | 'hasNoData'>,
     readonly layout: BrickLayout,
     readonly upload: FinerVoxels['upload'],
   ) {
@@ -188,7 +192,15 @@ export class ResidentBricks implements FinerVoxels {
     if (known) return known;
     const slot = this.#free.pop() ?? this.#bySlot.length;
     const { level, at } = place;
-    const brick: ResidentBrick = { level, at, ...values, slot, blocks: measureBlocks(values.samples) };
+    const { samples } = values;
+    const brick: ResidentBrick = {
+      level,
+      at,
+      ...values,
+      slot,
+      blocks: measureBlocks(samples),
+      hasNoData: lacksData(samples),
+    };
     this.#bricks.set(keyOfBrick(brick), brick);
     this.#bySlot[slot] = brick;
     this.#counts[level]++;
@@ -241,11 +253,13 @@ export class ResidentBricks implements FinerVoxels {
       if (!changed.some((one) => listed.level < one.level && touches(box, one.box))) continue;
       const brick = this.get(listed);
       if (!brick || !fillHalo(sources, brick)) continue;
-      const other: ResidentBrick = { ...brick, blocks: measureBlocks(brick.samples) };
+      const { samples } = brick;
+      const other: ResidentBrick = { ...brick, blocks: measureBlocks(samples), hasNoData: lacksData(samples) };
       this.#bricks.set(keyOfBrick(other), other);
       this.#bySlot[other.slot] = other;
       this.changes++;
       this.#cells.change(...box);
+      if (other.hasNoData !== brick.hasNoData) this.pages.touch(...box);
       // Of its level, halos have the voxels inside of it.
       changed.push({ box, level: brick.level });
       yield;

@@ -3,7 +3,7 @@
 uniform sampler3D uVolume;
 
 /// A texel for each group of cells (bricks of the finest level). What all of its cells show lies at the texel of the atlas = place * scale + its x, y, z; its w is
-/// the number of the scale. Where w is below 0, its cells have texels of their own: at the cell + x, y, z.
+/// the number of the scale, plus 1/2 where a voxel that it is interpolated from may lack data. Where w is below 0, its cells have texels of their own: at the cell + x, y, z.
 uniform sampler3D uBrickPages;
 
 /// Voxels along the unit cube: of the levels of bricks, finest first, then of the volume over which they lie.
@@ -31,9 +31,11 @@ uniform vec3 uPlaneVoxels;
 #define FINEST_VOXELS uFinestVoxels
 #define PLANE_VOXELS uPlaneVoxels
 
-/// Of what is shown at the last place that `inAtlas` was asked for: voxels along the unit cube, and cells along each axis that are known to show the same brick.
+/// Of what is shown at the last place that `inAtlas` was asked for: voxels along the unit cube, cells along each axis that are known to show the same brick, and
+/// whether any of its voxels may lack data.
 vec3 voxelScale;
 float sameCells = 1.0;
+bool mayLackData = false;
 
 /// What is known of the cell that a ray has looked into last: how many times as long as those of the finest level of which there are bricks its voxels are at least,
 /// samples for each of them, and whole steps that are left in it.
@@ -59,6 +61,7 @@ vec3 inAtlas(vec3 p) {
   sameCells = page.w < 0.0 ? 1.0 : 1.0 / uPerGroup;
   if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
   voxelScale = uLevelScales[int(page.w)];
+  mayLackData = fract(page.w) > 0.25;
   return place * voxelScale + page.xyz;
 }
 

@@ -2,16 +2,15 @@
 #define NO_DATA_BELOW -3.0e38
 
 #ifndef IN_VOXELS
-#define IN_VOXELS(p) (p * uDimensions)
+#define IN_VOXELS(point) (point * uDimensions)
 #define LAST_VOXEL (uDimensions - 1.0)
 #endif
 
-/// Tri-linear interpolation of the eight voxels around a point; p: unit cube; value: stored. False if there is no data.
+/// Tri-linear interpolation of the eight voxels around a place in voxels; value: stored. False if there is no data.
 /// Twin: optics/rays/interpolate.ts
-bool interpolateVoxels(vec3 p, out float value) {
-  vec3 position = IN_VOXELS(p) - 0.5;
+bool interpolateAt(vec3 place, out float value) {
   vec3 last = LAST_VOXEL;
-  position = clamp(position, vec3(0.0), last);
+  vec3 position = clamp(place - 0.5, vec3(0.0), last);
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, last);
   vec3 upper = position - low;
@@ -52,4 +51,9 @@ bool interpolateVoxels(vec3 p, out float value) {
   value = alongY.x + upper.z * (alongY.y - alongY.x);
   return true;
 #endif
+}
+
+/// The same at a point of the unit cube.
+bool interpolateVoxels(vec3 p, out float value) {
+  return interpolateAt(IN_VOXELS(p), value);
 }

@@ -150,7 +150,7 @@ export class VolumeLayer {
    * @throws {VolumeViewError} `format/unsupported` if that part of the package is missing, `format/too-large`
    */
   async setAttached(set: (attached: AttachedLayers) => Promise<void>): Promise<void> {
-    const { AttachedLayers } = await loadPart(import('./attached-layers.ts'), 'shows labels and layers');
+    const { AttachedLayers } = await loadPart(import('./attached-layers.ts'), 'shows labels');
     await set((this.#attached ??= new AttachedLayers(this.gl, this.device, this.providers)));
   }
 

@@ -26,6 +26,9 @@ const growth = 4;
 /** Floats of a cell in the page table. */
 const cellFloats = bytesOfCell / 4;
 
+/** What the page table adds to a number of a scale. Twin: shaders/chunks/field/bricks-3d.glsl */
+const lacking = ({ hasNoData }: Pick<VolumeData, 'hasNoData'>): number => (hasNoData ? 0.5 : 0);
+
 /** How samples become texels. */
 export interface BrickPacking {
   readonly texels: Texels;
@@ -260,13 +263,13 @@ export class BrickTextures {
     const brick = this.bricks.inSlot(number - 1);
     if (!brick) {
       into.fill(brickHalo, 0, 3);
-      into[3] = layout.levels.length;
+      into[3] = layout.levels.length + lacking(this.bricks.volume);
       return;
     }
     const { level, at, slot } = brick;
     const { shift } = layout.levels[level];
     const place = placeOfSlot(this.#shape, slot);
     for (let axis = 0; axis < 3; axis++) into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
-    into[3] = level;
+    into[3] = level + lacking(brick);
   }
 }

@@ -1,5 +1,7 @@
 // A volume with bricks of finer levels over it. The first such volume loads this file.
 import bricks3d from '../../../../shaders/chunks/field/bricks-3d.glsl?raw';
+import interpolate from '../../../../shaders/chunks/field/interpolate.glsl?raw';
+import sampleBricks from '../../../../shaders/chunks/field/sample-bricks.glsl?raw';
 import type { ResidentBricks } from '../../../bricks/resident-bricks.ts';
 import type { VolumeData } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device/device.ts';
@@ -14,14 +16,16 @@ import volume3d from '../../../../shaders/chunks/field/volume-3d.glsl?raw';
 /** A float that interpolate.glsl reads as no data. */
 const lacksData = -3.4e38;
 
-/** The text of a field with bricks; only in WebGL 2. */
+/** The text of a field with bricks; only in WebGL 2. Floats that the device filters are fetched in bricks in which voxels may lack data. */
 export function bricksText(options: Omit<CartesianOptions, 'texture3d'>): RayText {
   const whole = cartesianText({ ...options, texture3d: true });
+  const chunks = whole.chunks.map((chunk) => (chunk === volume3d ? bricks3d : chunk));
+  const isMixed = options.noData && !options.filterInShader;
   return {
     ...whole,
     name: 'bricks',
     defines: { ...whole.defines, BRICKS: 1, LONG: 1 },
-    chunks: whole.chunks.map((chunk) => (chunk === volume3d ? bricks3d : chunk)),
+    chunks: isMixed ? [...chunks.slice(0, -1), interpolate, sampleBricks] : chunks,
     samplers: [...whole.samplers, 'uBrickPages'],
   };
 }
@@ -32,7 +36,8 @@ export function bricksText(options: Omit<CartesianOptions, 'texture3d'>): RayTex
  */
 export function* uploadBricks(gl: Gl, volume: VolumeData, device: Device): Upload<FieldModule> {
   const { samples, hasNoData: noData } = volume;
-  const filterInShader = !isFiltered(volume, device);
+  // Of bricks, only those in which voxels lack data are interpolated in the shader.
+  const filterInShader = !isFiltered({ samples, hasNoData: false }, device);
   const storedScale = storedScaleOf(volume);
   const textures = new BrickTextures(gl as WebGL2RenderingContext, volume, volume.finer as ResidentBricks, {
     texels: texelsOf(gl, samples),
