@@ -55,7 +55,7 @@ const cartesian = (webgl2: boolean): RayText[] => [
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
   ...weighed(webgl2),
   ...(webgl2 ? [bricksText({ twoBytes: true, noData: false, filterInShader: false })] : []),
-  ...(webgl2 ? [bricksText({ twoBytes: false, noData: true, filterInShader: true })] : []),
+  ...(webgl2 ? bits.map((filterInShader) => bricksText({ twoBytes: false, noData: true, filterInShader })) : []),
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 

@@ -6,6 +6,14 @@ vec3 changePerVoxel(Sample known, vec3 from) {
 #ifdef BRICKS
   // Changes are those from one of the finest voxels to the next, also where voxels are larger.
   vec3 perTap = voxelScale / FINEST_VOXELS;
+#if !FILTER_IN_SHADER
+  if (!mayLackData && sharesBrick(from)) {
+    vec3 low;
+    vec3 high;
+    filterAround(from, low, high);
+    return 0.5 * uTableDomain.x * (high - low) * perTap;
+  }
+#endif
 #endif
   vec3 sums = vec3(0.0);
   vec3 counts = vec3(0.0);

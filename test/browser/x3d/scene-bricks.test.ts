@@ -37,6 +37,12 @@ const cliff: TransferFunction = [
   { value: 1, color: [1, 0.8, 0.4], opacity: 1 },
 ];
 
+/** Places without data that only bricks next to them have in their halos. */
+const besideFace = (x: number, y: number, z: number): number => {
+  const [i, j] = [Math.floor(40 * x), Math.floor(72 * y)];
+  return (i === 32 && j % 5 > 1) || (j === 31 && i < 20) ? NaN : withGrain(x, y, z);
+};
+
 /** Where values change by more than those of half the voxels do. */
 const patches: readonly Patch[] = [
   { kind: 'box', values: [0.1, 1], gradients: [0.08, 10], color: [1, 0.7, 0.3], opacity: 0.5 },
@@ -59,6 +65,12 @@ const cases: Case[] = [
   { name: 'fog, 8 bit' },
   { name: 'fog, 16 bit, skewed', data: { kind: 'uint16', spacing: [1, 0.7, 1.4] } },
   { name: 'floats with a hole', data: { kind: 'float32', field: (x, y, z) => fieldWithHole(x, y, z) } },
+  { name: 'floats, lit', data: { kind: 'float32' }, style: { lit: true } },
+  {
+    name: 'floats without data next to faces, lit',
+    data: { kind: 'float32', field: besideFace },
+    style: { lit: true },
+  },
   { name: 'lit, 16 bit', data: { kind: 'uint16' }, style: { lit: true } },
   { name: 'maximum', style: { projection: 'max' } },
   { name: 'a surface alone', style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] } },

@@ -135,6 +135,28 @@ describe('bricks that are there', () => {
     for (const place of places) expect(detour.storedAt(place)).to.equal(direct.storedAt(place));
   });
 
+  it('say which of them have voxels without data, also in halos, and that their texels of the table change', () => {
+    const field = (x: number, y: number, z: number): number => (Math.floor(70 * x) === 32 ? NaN : x + y + z);
+    for (const groupSide of [1, 4]) {
+      const whole = syntheticVolume({ dimensions, kind: 'float32', field });
+      const { pyramid, volume } = cutIntoBricks(whole, 2, ({ at: [i] }) => i !== 1, groupSide);
+      const { finer } = volume;
+      const [first, next]: Brick[] = [0, 1].map((i) => ({ level: 0, at: [i, 1, 0] }));
+      const lacking = (): unknown[] => [finer.get(first), finer.get(next)].map((brick) => brick?.hasNoData);
+      // The coarser voxels have means of those with data.
+      expect(lacking()).to.deep.equal([false, undefined]);
+      const changes = (): number => Math.max(...finer.pages.changesOfLayers, ...finer.pages.changesOfBlocks);
+      finer.add(next, readBrick(pyramid, next));
+      const before = changes();
+      finer.current(volume);
+      expect(lacking()).to.deep.equal([true, true]);
+      expect(changes(), 'of the table').to.be.above(before);
+      finer.remove(next);
+      finer.current(volume);
+      expect(lacking()).to.deep.equal([false, undefined]);
+    }
+  });
+
   it('are complete where all of their neighbours are there', () => {
     const { pyramid, volume } = cutIntoBricks(syntheticVolume({ dimensions }), 2, ({ at: [i] }) => i < 2);
     const { finer } = volume;
