@@ -151,9 +151,10 @@ export function gridOfLevel(grid: GridFrame, { scale }: LevelFrame): GridFrame {
 
 /** The cell at a place of the volume's unit cube; outside of the finest level, the nearest one. */
 export function cellOfPlace({ cells, levels: [{ scale, shift }] }: BrickLayout, place: Vector3): Vector3 {
-  return place.map((x, axis) =>
-    Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * scale[axis] + shift[axis]) / brickSide))),
-  ) as unknown as Vector3;
+  // Without `map`: each sample of a ray in float64 asks for it.
+  const along = (axis: number): number =>
+    Math.min(cells[axis] - 1, Math.max(0, Math.floor((place[axis] * scale[axis] + shift[axis]) / brickSide)));
+  return [along(0), along(1), along(2)];
 }
 
 /** A cell's number along each axis. @param cell - i fastest */

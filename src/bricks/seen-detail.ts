@@ -9,7 +9,7 @@ import { meanOfHidden, spreadAt } from './hidden-means.ts';
 import { planeFinder } from './painted-plane.ts';
 import { sumCount } from './span-sums.ts';
 import type { SpanSums } from './span-sums.ts';
-import { addStyled, anyChange } from './steep-looks.ts';
+import { addStyled, anyChange, stepMeans } from './steep-looks.ts';
 import type { AddedChange } from './steep-looks.ts';
 
 /** A ray whose transmittance is below this shows nothing that comes behind. */
@@ -120,13 +120,20 @@ export function estimateSeen(
   ): void => {
     const { sumsOf, styleOf, ratio } = steep!;
     const place = threeOf(places, n);
-    const sumsBy = changes.map(({ change }) => (sumsOf ? sumsOf(change) : sums));
-    for (const one of new Set(sumsBy)) {
+    const addAll = (one: SpanSums, alike: readonly AddedChange[]): void => {
       see(one, plain);
-      if (!(plain[3] > 0)) continue;
-      for (const [i, { change, weight }] of changes.entries())
-        if (sumsBy[i] === one) addStyled(plain, styleOf?.(current, place, change) ?? null, { ratio, weight }, into);
-    }
+      if (!(plain[3] > 0)) return;
+      const step = stepMeans(plain, ratio);
+      for (const { change, weight } of alike)
+        addStyled(step, styleOf?.(current, place, change) ?? null, { ratio, weight }, into);
+    };
+    if (!sumsOf) return addAll(sums, changes);
+    const sumsBy = changes.map(({ change }) => sumsOf(change));
+    for (const one of new Set(sumsBy))
+      addAll(
+        one,
+        changes.filter((_, i) => sumsBy[i] === one),
+      );
   };
   /**
    * What the hidden values of a level would show at a step.

@@ -42,20 +42,30 @@ export const anyChange: readonly AddedChange[] = [
   ...axes.map((axis) => ({ change: scale(axis, large), weight: largeShare / axes.length })),
 ];
 
-/** Adds `weight` times what a style makes of the means of a step, see `sumCount`. */
+/** Means of a step, see `sumCount`, of any opacity above 0; and that opacity in a reference length. */
+export interface StepMeans {
+  readonly means: Float64Array;
+  readonly ofReference: number;
+}
+
+/** @param ratio - see `SteepLooks` */
+export const stepMeans = (means: Float64Array, ratio: number): StepMeans => ({
+  means,
+  ofReference: -Math.expm1(Math.log1p(-Math.min(means[3], 1 - 1e-16)) / ratio),
+});
+
+/** Adds `weight` times what a style makes of a step. */
 export function addStyled(
-  means: Float64Array,
+  { means, ofReference }: StepMeans,
   style: Styled | null,
   { ratio, weight }: { readonly ratio: number; readonly weight: number },
   into: Float64Array,
 ): void {
-  const opacity = means[3];
-  if (!(opacity > 0)) return;
   if (!style) {
     for (let c = 0; c < sumCount; c++) into[c] += weight * means[c];
     return;
   }
-  const ofReference = -Math.expm1(Math.log1p(-Math.min(opacity, 1 - 1e-16)) / ratio);
+  const opacity = means[3];
   const styled = -Math.expm1(ratio * Math.log1p(-Math.min(0.9999, ofReference * style.opacity)));
   const factor = styled / opacity;
   for (let c = 0; c < 3; c++) {

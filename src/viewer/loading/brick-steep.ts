@@ -47,7 +47,7 @@ export function steepOf(
 ): SteepLooks {
   const toWorld = normalsToWorld(finest);
   const gradientOf = (change: Vector3): Gradient => {
-    const perVoxel = change.map((x) => x * scale.slope) as unknown as Vector3;
+    const perVoxel: Vector3 = [change[0] * scale.slope, change[1] * scale.slope, change[2] * scale.slope];
     return { perVoxel, world: transformDirection(toWorld, perVoxel) };
   };
   const sumsAt = patches && sumPatches(lightPatches(patches, lightFactor), meanOverWay, stored, scale);
