@@ -47,8 +47,13 @@ export class HttpTree implements Pick<FileTree, 'read'> {
     };
     const range = part && (await this.#rangeOf(url, part, options));
     return this.#again(url, options, async (download) => {
-      const response = await download.open(range ? { range } : undefined);
+      let response = await download.open(range ? { range } : undefined);
       this.#hasAnswered = true;
+      const missed = part && 'last' in part ? missedEnd(response, part.last) : null;
+      if (missed) {
+        await response.body?.cancel();
+        response = await download.open({ range: missed });
+      }
       const { status } = response;
       if (status === 404 || status === 416) {
         await response.body?.cancel();
@@ -126,6 +131,14 @@ export class HttpTree implements Pick<FileTree, 'read'> {
       }
     }
   }
+}
+
+/** The range of the last bytes, where a server has sent others: the one in Vite's development server takes `bytes=-20` as `bytes=0-20`. */
+function missedEnd({ status, headers }: Response, last: number): string | null {
+  const [, start, total] = /^bytes (\d+)-\d+\/(\d+)$/.exec(headers.get('content-range') ?? '') ?? [];
+  if (status !== 206 || total === undefined) return null;
+  const first = Math.max(0, Number(total) - last);
+  return Number(start) === first ? null : `bytes=${first}-${Number(total) - 1}`;
 }
 
 function cut(bytes: Uint8Array<ArrayBuffer>, part: FilePart): Uint8Array<ArrayBuffer> {

@@ -9,7 +9,10 @@ export function findWorkers(_dataUrl: string): readonly [url?: URL, options?: Wo
   const native = globalThis.Worker;
   let found: [URL?, WorkerOptions?] = [];
   function Recorder(url: string | URL, options?: WorkerOptions): void {
-    found = [new URL(url, location.href), options];
+    const address = new URL(url, location.href);
+    // Vite's development server adds it. The worker's parts import its script without: they would get another copy of it.
+    if (address.searchParams.has('worker_file')) address.search = '';
+    found = [address, options];
   }
   try {
     globalThis.Worker = Recorder as unknown as typeof Worker;
