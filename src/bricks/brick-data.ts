@@ -20,3 +20,12 @@ export interface BrickSamples {
   /** Whether any of them has no data. */
   readonly hasNoData: boolean;
 }
+
+/** Whether any voxel of a brick, its halo included, has no data. */
+export function lacksData(samples: Samples): boolean {
+  if (!(samples instanceof Float32Array)) return false;
+  // Floats that are finite have a finite sum in doubles; that is quicker than to look at each.
+  let sum = 0;
+  for (let n = 0; n < samples.length; n++) sum += samples[n];
+  return !Number.isFinite(sum);
+}

@@ -9,7 +9,7 @@ import type { VolumeData } from '../volume/volume.ts';
 import { measureBlocks } from './block-ranges.ts';
 import { BrickCells } from './brick-cells.ts';
 import type { MeasuredBrick, ShownBricks } from './brick-cells.ts';
-import { brickSide } from './brick-data.ts';
+import { brickSide, lacksData } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
 import { findKinks } from './brick-kinks.ts';
@@ -45,15 +45,6 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
 interface ChangedBox {
   readonly box: CellBox;
   readonly level: number;
-}
-
-/** Whether any voxel of a brick, its halo included, has no data. */
-function lacksData(samples: Samples): boolean {
-  if (!(samples instanceof Float32Array)) return false;
-  // Floats that are finite have a finite sum in doubles; that is quicker than to look at each.
-  let sum = 0;
-  for (let n = 0; n < samples.length; n++) sum += samples[n];
-  return !Number.isFinite(sum);
 }
 
 /** Whether two boxes have a face, an edge or a corner in common, or more. */
