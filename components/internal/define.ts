@@ -1,3 +1,4 @@
+import { handOver } from '#hand-over';
 import { version } from './version.ts';
 
 /** The key under which the class of an element stores its version, and the page's registry that a second version has been reported. */
@@ -14,10 +15,12 @@ export function isOurs(localName: string): boolean {
 /**
  * Define an element, unless the page already has one of this name: where a script is loaded several times, the first copy counts. If the
  * first copy has another version, a warning in the console says so, once for all copies.
+ * @returns whether a copy of the script at another address defines it
  */
-export function define(name: string, element: CustomElementConstructor): void {
+export function define(name: string, element: CustomElementConstructor): boolean {
   // Modules are also imported in Node, which has no custom elements unless a script adds them.
-  if (typeof customElements === 'undefined') return;
+  if (typeof customElements === 'undefined') return false;
+  if (handOver(name)) return true;
   const registry: Versioned<CustomElementRegistry> = customElements;
   const first: Versioned<CustomElementConstructor> | undefined = customElements.get(name);
   if (!first) {
@@ -29,4 +32,5 @@ export function define(name: string, element: CustomElementConstructor): void {
       `<${name}> of volume-view ${version} is left out: the page has ${first[versionKey] ?? 'another'} already. Load one script.`,
     );
   }
+  return false;
 }

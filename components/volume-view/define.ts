@@ -2,7 +2,6 @@ import { startCompanions } from '../internal/companions.ts';
 import { define } from '../internal/define.ts';
 import { VolumeView } from './volume-view.ts';
 
-define('volume-view', VolumeView);
-startCompanions();
+if (!define('volume-view', VolumeView)) startCompanions();
 
 export { VolumeView };

@@ -61,11 +61,9 @@ export class VolumeViewError extends Error {
  */
 export function asVolumeViewError(error: unknown, subject: string): VolumeViewError {
   if (error instanceof VolumeViewError) return error;
-  return new VolumeViewError(
-    'internal',
-    `volume-view failed at ${subject}, and the page is not to blame (${String(error)}). Please report it.`,
-    { cause: error },
-  );
+  return new VolumeViewError('internal', `volume-view failed at ${subject}: ${String(error)}. Please report it.`, {
+    cause: error,
+  });
 }
 
 /** The error for an attribute that can't be read. The value is shortened, as it may come from an unknown source. */

@@ -1,8 +1,8 @@
-// A page that has the script twice: the first copy holds, and nothing breaks.
+// A page that has the script twice, or once with a version in its address: one copy holds, and nothing breaks.
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { handles, editor, legend, view } from './helpers/companions.ts';
-import { expect, open, settle, test, withElement } from './helpers/harness.ts';
+import { expect, open, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
 
 const { version } = JSON.parse(readFileSync('package.json', 'utf8')) as { version: string };
 const asModule = '<script type="module" src="/dist/volume-view.js"></script>';
@@ -27,6 +27,23 @@ for (const [what, script] of Object.entries({
     await open(page, view + legend + editor, { script });
     await expectAll(page);
     expect(lines.filter((line) => /volume-view/.test(line))).toEqual([]);
+  });
+}
+
+// As a CMS writes addresses of scripts. For a browser, a module with a version is another one than that without.
+for (const [what, script] of Object.entries({
+  'a module': asModule,
+  'a classic script': asScript,
+  'companions alone': legendAlone + legendAlone.replace('legend', 'transfer-function') + asModule,
+})) {
+  test(`a version in the address of ${what}: one copy, its errors and its steps`, async ({ page }) => {
+    await open(page, view + legend + editor, {
+      script: script.replaceAll('.js"', '.js?ver=1.2"'),
+    });
+    await expectAll(page);
+    expect(await withElement(page, (element) => element.renderStats?.steps)).toBe(20);
+    await withElement(page, (element) => element.setAttribute('src', '/dist/volume-view.js'));
+    expect((await waitForEvent(page, 'error')).detail).toMatchObject({ code: 'format/unknown' });
   });
 }
 
