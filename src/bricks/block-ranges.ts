@@ -1,6 +1,5 @@
 import type { Samples } from '../volume/samples.ts';
-import { brickSide } from './brick-data.ts';
-import { brickHalo, slotSide } from './brick-layout.ts';
+import { brickHalo, brickReach, brickSide, slotSide } from './brick-data.ts';
 
 /** Voxels along each edge of a block. */
 export const blockSide = 8;
@@ -18,28 +17,34 @@ export interface BlockRanges {
 }
 
 /** Voxels along each edge of a block, with those next to it. */
-const span = blockSide + 2 * brickHalo;
+const span = blockSide + 2 * brickReach;
+
+/** The same of a brick, and the first of them in its slot. */
+const side = brickSide + 2 * brickReach;
+const begin = brickHalo - brickReach;
 
 /** @param samples - of a brick with its halo, see `BrickSamples` */
 export function measureBlocks(samples: Samples): BlockRanges {
   // Of each line along x, by block: what its voxels in that block have. Then the lines of each block.
-  const [low, high, roughness] = [0, 1, 2].map(() => new Float32Array(blocksAlong * slotSide ** 2));
-  const rough = new Float32Array(slotSide);
-  for (let line = 0, to = 0; line < slotSide ** 2; line++) {
-    measureLine(samples, line, rough);
-    for (let block = 0; block < blocksAlong; block++, to++) {
-      let [least, most, roughest] = [Infinity, -Infinity, 0];
-      const first = blockSide * block;
-      for (let i = first, at = slotSide * line + first; i < first + span; i++, at++) {
-        const value = samples[at];
-        // Comparisons with NaN are false: places without data change nothing.
-        if (value < least) least = value;
-        if (value > most) most = value;
-        if (rough[i] > roughest) roughest = rough[i];
+  const [low, high, roughness] = [0, 1, 2].map(() => new Float32Array(blocksAlong * side ** 2));
+  const rough = new Float32Array(side);
+  for (let k = 0, to = 0; k < side; k++)
+    for (let j = 0; j < side; j++) {
+      const line = begin + slotSide * (begin + j + slotSide * (begin + k));
+      measureLine(samples, line, rough);
+      for (let block = 0; block < blocksAlong; block++, to++) {
+        let [least, most, roughest] = [Infinity, -Infinity, 0];
+        const first = blockSide * block;
+        for (let i = first, at = line + first; i < first + span; i++, at++) {
+          const value = samples[at];
+          // Comparisons with NaN are false: places without data change nothing.
+          if (value < least) least = value;
+          if (value > most) most = value;
+          if (rough[i] > roughest) roughest = rough[i];
+        }
+        [low[to], high[to], roughness[to]] = [least, most, roughest];
       }
-      [low[to], high[to], roughness[to]] = [least, most, roughest];
     }
-  }
   return {
     low: foldLines(low, -1, Infinity),
     high: foldLines(high, 1, -Infinity),
@@ -47,16 +52,14 @@ export function measureBlocks(samples: Samples): BlockRanges {
   };
 }
 
-/** The second differences of the voxels of a line along x: the largest along any axis along which a voxel has both neighbours; 0 where one of them has no data. */
+/** The second differences of the voxels of a line along x: the largest along any axis; 0 where a neighbour has no data. @param line - its first voxel */
 function measureLine(samples: Samples, line: number, into: Float32Array): void {
-  const [row, slice, last] = [slotSide, slotSide ** 2, slotSide - 1];
-  const [j, k] = [line % slotSide, Math.floor(line / slotSide)];
-  const [isInY, isInZ] = [j > 0 && j < last, k > 0 && k < last];
-  for (let i = 0, at = row * line; i < slotSide; i++, at++) {
+  const [row, slice] = [slotSide, slotSide ** 2];
+  for (let i = 0, at = line; i < side; i++, at++) {
     const twice = 2 * samples[at];
-    const alongX = i > 0 && i < last ? Math.abs(samples[at - 1] - twice + samples[at + 1]) : 0;
-    const alongY = isInY ? Math.abs(samples[at - row] - twice + samples[at + row]) : 0;
-    const alongZ = isInZ ? Math.abs(samples[at - slice] - twice + samples[at + slice]) : 0;
+    const alongX = Math.abs(samples[at - 1] - twice + samples[at + 1]);
+    const alongY = Math.abs(samples[at - row] - twice + samples[at + row]);
+    const alongZ = Math.abs(samples[at - slice] - twice + samples[at + slice]);
     let most = 0;
     if (alongX > most) most = alongX;
     if (alongY > most) most = alongY;
@@ -77,7 +80,7 @@ function foldLines(lines: Float32Array, sign: 1 | -1, none: number): Float64Arra
     let all = none;
     for (let k = blockSide * z; k < blockSide * z + span; k++)
       for (
-        let j = blockSide * y, at = x + blocksAlong * (j + slotSide * k);
+        let j = blockSide * y, at = x + blocksAlong * (j + side * k);
         j < blockSide * y + span;
         j++, at += blocksAlong
       )

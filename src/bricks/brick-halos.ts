@@ -2,8 +2,8 @@
 import { interpolate } from '../optics/rays/interpolate.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples, VolumeData } from '../volume/volume.ts';
-import { brickSide } from './brick-data.ts';
-import { brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickHalo, brickSide, slotSide } from './brick-data.ts';
+import { slotDimensions } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { CellNumbers } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';

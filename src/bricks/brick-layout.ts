@@ -2,17 +2,11 @@ import { spacingOf, unitToWorld } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { brickSide } from './brick-data.ts';
+import { brickHalo, brickSide, slotSide } from './brick-data.ts';
 import type { BrickLevel } from './brick-data.ts';
 import { chooseGroupSide } from './cell-numbers.ts';
 import { mostLayersOfTable, shapeTable, tableBytes, tableDepth } from './page-table.ts';
 import type { Brick } from './pyramid.ts';
-
-/** Voxels of the neighbours at each side of a brick, so that values can be interpolated up to its faces. */
-export const brickHalo = 1;
-
-/** Voxels along each axis of a brick with its halo. */
-export const slotSide = brickSide + 2 * brickHalo;
 
 export const slotDimensions: Vector3 = [slotSide, slotSide, slotSide];
 
@@ -86,6 +80,11 @@ export function shapeAtlas([nx, ny, nz]: Vector3, slots = Infinity): AtlasShape 
 export function atlasEdge(dimensions: Vector3): number {
   const { width, height, depth } = shapeAtlas(dimensions); // With as many slots as there may be.
   return Math.max(width, height, depth + slotSide);
+}
+
+/** Slots for which an atlas has room where a texture has at most so many texels along z. */
+export function slotsBelow({ depth, slotsOfLayer }: AtlasShape, texels: number): number {
+  return slotsOfLayer * Math.floor((texels - depth) / slotSide);
 }
 
 /**
@@ -179,8 +178,17 @@ export function numberOfBrick({ levels }: BrickLayout, level: number, [i, j, k]:
   return i + nx * (j + ny * k);
 }
 
-/** The cells that a brick has along each axis: from the first one up to, not including, the last. */
-export function cellsOfBrick({ cells, levels }: BrickLayout, level: number, at: Vector3): readonly [Vector3, Vector3] {
+/** Cells along each axis: from the first one up to, not including, the last. */
+export type CellBox = readonly [Vector3, Vector3];
+
+/** Whether two boxes have a face, an edge or a corner in common, or more. */
+export function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean {
+  for (let axis = 0; axis < 3; axis++) if (low[axis] > otherHigh[axis] || otherLow[axis] > high[axis]) return false;
+  return true;
+}
+
+/** The cells that a brick has. */
+export function cellsOfBrick({ cells, levels }: BrickLayout, level: number, at: Vector3): CellBox {
   const { factors, bricks } = levels[level];
   const low = at.map((n, axis) => Math.min(cells[axis], n * factors[axis]));
   const high = at.map((n, axis) =>

@@ -1,7 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
-import { brickSide } from './brick-data.ts';
+import { brickReach, brickSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickHalo } from './brick-layout.ts';
 import type { BrickLayout } from './brick-layout.ts';
 import type { Brick } from './pyramid.ts';
 import { blockFinder } from './resident-field.ts';
@@ -71,8 +70,8 @@ export function holdsBrick(
 ): boolean {
   if (!(least <= most)) return true;
   const { factors } = levels[level];
-  // A block's values have those of the next voxel: one of the voxels that the halo reaches over.
-  const beyond = factors.map((n) => n * brickHalo - 1);
+  // A block's values have those of the next voxel: one of the voxels that it was read with.
+  const beyond = factors.map((n) => n * brickReach - 1);
   const from = at.map((n, axis) => Math.floor((n * brickSide * factors[axis] - beyond[axis]) / side));
   const to = at.map((n, axis) => Math.floor(((n + 1) * brickSide * factors[axis] - 1 + beyond[axis]) / side));
   const [first, last] = [from, to].map((ends) => ends.map((n, axis) => Math.min(blocks[axis] - 1, Math.max(0, n))));

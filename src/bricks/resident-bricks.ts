@@ -9,12 +9,11 @@ import type { VolumeData } from '../volume/volume.ts';
 import { measureBlocks } from './block-ranges.ts';
 import { BrickCells } from './brick-cells.ts';
 import type { MeasuredBrick, ShownBricks } from './brick-cells.ts';
-import { brickSide, lacksData } from './brick-data.ts';
+import { brickHalo, brickSide, lacksData, slotSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
 import { fillHalo, neighbourOf, waysToNeighbours } from './brick-halos.ts';
 import { findKinks } from './brick-kinks.ts';
 import {
-  brickHalo,
   brickOfCell,
   cellOfPlace,
   cellsOfBrick,
@@ -22,15 +21,12 @@ import {
   placeOfCell,
   shapeAtlas,
   slotDimensions,
-  slotSide,
+  touches,
 } from './brick-layout.ts';
-import type { AtlasShape, BrickLayout } from './brick-layout.ts';
+import type { AtlasShape, BrickLayout, CellBox } from './brick-layout.ts';
 import { CellNumbers } from './cell-numbers.ts';
 import type { NextNumber } from './cell-numbers.ts';
 import type { Brick } from './pyramid.ts';
-
-/** Cells along each axis, without the last ones. */
-type CellBox = ReturnType<typeof cellsOfBrick>;
 
 /** A brick that rays can read, and the slot that it has. It becomes another object when its halo changes. */
 export interface ResidentBrick extends MeasuredBrick, BrickSamples {
@@ -45,12 +41,6 @@ export function keyOfBrick({ level, at: [i, j, k] }: Brick): string {
 interface ChangedBox {
   readonly box: CellBox;
   readonly level: number;
-}
-
-/** Whether two boxes have a face, an edge or a corner in common, or more. */
-function touches([low, high]: CellBox, [otherLow, otherHigh]: CellBox): boolean {
-  for (let axis = 0; axis < 3; axis++) if (low[axis] > otherHigh[axis] || otherLow[axis] > high[axis]) return false;
-  return true;
 }
 
 /**
@@ -129,8 +119,7 @@ export class ResidentBricks implements FinerVoxels {
     if (!this.moving) this.#settleAtOnce();
     const shown: ShownBricks = (first, last, meet) =>
       this.pages.visit(first, last, (page) => meet(this.#bySlot[page - 1]));
-    if (this.#cells.update(shown, this.#level)) this.#cellChanges++;
-    const cells = this.#cellChanges;
+    const cells = (this.#cellChanges += Number(this.#cells.update(shown, this.#level)));
     if (this.#current?.volume !== volume || this.#current.cells !== cells)
       this.#current = {
         volume,
@@ -308,18 +297,28 @@ export class ResidentBricks implements FinerVoxels {
 
   storedAt(place: Vector3): number {
     const inside = this.#inFinest(place);
+    return this.#read(this.#brickAt(inside), inside);
+  }
+
+  storedNextTo(place: Vector3, axis: number, by: number): number {
+    const inside = this.#inFinest(place);
     const brick = this.#brickAt(inside);
-    if (brick) return this.storedIn(brick, inside);
-    return interpolate(this.volume.samples, this.volume.grid.dimensions, inside);
+    inside[axis] += by / this.#voxelsOf(brick)[axis];
+    return this.#read(brick, inside);
   }
 
   /** The stored value in a brick, which need not be one of these. */
   storedIn(brick: Brick & Pick<BrickSamples, 'samples'>, place: Vector3): number {
-    return interpolate(brick.samples, slotDimensions, this.#placeIn(brick, this.#inFinest(place)));
+    return this.#read(brick, this.#inFinest(place));
+  }
+
+  #read(brick: (Brick & Pick<BrickSamples, 'samples'>) | undefined, inside: Vector3): number {
+    if (brick) return interpolate(brick.samples, slotDimensions, this.#placeIn(brick, inside));
+    return interpolate(this.volume.samples, this.volume.grid.dimensions, inside);
   }
 
   /** The place itself, or where the volume reaches beyond the finest level, the nearest one in that. */
-  #inFinest(place: Vector3): Vector3 {
+  #inFinest(place: Vector3): [number, number, number] {
     const { scale, shift, dimensions } = this.layout.levels[0];
     const along = (axis: number): number =>
       Math.min((dimensions[axis] - shift[axis]) / scale[axis], Math.max(-shift[axis] / scale[axis], place[axis]));
@@ -349,9 +348,13 @@ export class ResidentBricks implements FinerVoxels {
   }
 
   voxelAt(place: Vector3): Vector3 {
-    const brick = this.#brickAt(place);
-    const [x, y, z] = brick ? this.layout.levels[brick.level].scale : this.volume.grid.dimensions;
+    const [x, y, z] = this.#voxelsOf(this.#brickAt(place));
     return [1 / x, 1 / y, 1 / z];
+  }
+
+  /** Voxels along the unit cube of what is shown. */
+  #voxelsOf(brick: Brick | undefined): Vector3 {
+    return brick ? this.layout.levels[brick.level].scale : this.volume.grid.dimensions;
   }
 
   kinksAlong(from: Vector3, to: Vector3): readonly number[] {
@@ -360,9 +363,8 @@ export class ResidentBricks implements FinerVoxels {
 
   /** The number of the cell at a place of the unit cube. */
   cellAt(place: Vector3): number {
-    const [cx, cy] = this.layout.cells;
     const [i, j, k] = cellOfPlace(this.layout, place);
-    return i + cx * (j + cy * k);
+    return i + this.layout.cells[0] * (j + this.layout.cells[1] * k);
   }
 
   #brickAt(place: Vector3): ResidentBrick | undefined {

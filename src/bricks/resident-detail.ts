@@ -3,9 +3,9 @@ import { interpolate } from '../optics/rays/interpolate.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { VolumeData } from '../volume/volume.ts';
-import { brickSide } from './brick-data.ts';
+import { brickHalo, brickSide, slotSide } from './brick-data.ts';
 import type { BrickSamples } from './brick-data.ts';
-import { brickAround, brickHalo, slotDimensions, slotSide } from './brick-layout.ts';
+import { brickAround, slotDimensions } from './brick-layout.ts';
 import type { DetailField } from './detail-field.ts';
 import { alongOfNoise, hiddenUnderBricks, holdsBrick, voxelsTogether } from './hidden-values.ts';
 import type { HiddenValues } from './hidden-values.ts';
@@ -148,9 +148,10 @@ export class ResidentDetail implements HiddenValues, DetailField {
       if (voxel.some((n, axis) => n > dimensions[axis])) return null;
       return voxel.map((n, axis) => (n - shift[axis]) / scale[axis]) as unknown as Vector3;
     };
-    for (let k = 1, number = 0; k <= brickSide; k += stride)
-      for (let j = 1; j <= brickSide; j += stride)
-        for (let i = 1; i <= brickSide; i += stride, number++) {
+    const end = brickHalo + brickSide;
+    for (let k = brickHalo, number = 0; k < end; k += stride)
+      for (let j = brickHalo; j < end; j += stride)
+        for (let i = brickHalo; i < end; i += stride, number++) {
           // Rays sample between voxels, too, where values differ less than at these.
           const inSlot = [i, j, k].map((n, axis) =>
             Math.max(firstMiddle, n + ((number * between[axis]) % 1)),

@@ -1,5 +1,5 @@
-import { brickSide } from '../bricks/brick-data.ts';
-import { brickHalo, slotDimensions } from '../bricks/brick-layout.ts';
+import { brickHalo, brickSide } from '../bricks/brick-data.ts';
+import { slotDimensions } from '../bricks/brick-layout.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { invertAffine, multiply } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';

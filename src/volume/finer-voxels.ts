@@ -46,6 +46,8 @@ export interface FinerVoxels {
   current<V extends BrickedValues>(volume: V): V;
   /** The stored value at a place of the unit cube, of the volume itself where nothing finer is there; NaN for no data. */
   storedAt(place: Vector3): number;
+  /** The same a voxel away from a place along an axis: of the voxels that are shown at the place, also where others are shown there. @param by - 1 or -1 */
+  storedNextTo(place: Vector3, axis: number, by: number): number;
   /** The value of the nearest voxel that is there; undefined where the volume itself says more. */
   nearestAt(place: Vector3): number | undefined;
   /** Planes of them; null before they can be read. */

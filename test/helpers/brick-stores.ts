@@ -72,12 +72,12 @@ export async function expectFormula(
   isAlone?: boolean,
 ): Promise<void> {
   const { samples, low, high } = await store.read(brick, noSignal(), isAlone);
-  const first = brick.at.map((n) => 32 * n - 1);
-  const all = formula.boxOf(brick.level, first, [34, 34, 34]);
-  const inside = (n: number): number => (isAlone ? Math.min(32, Math.max(1, n)) : n);
+  const first = brick.at.map((n) => 32 * n - 2);
+  const all = formula.boxOf(brick.level, first, [36, 36, 36]);
+  const inside = (n: number): number => (isAlone ? Math.min(33, Math.max(2, n)) : Math.min(34, Math.max(1, n)));
   const expected = all.map((_, n) => {
-    const [i, j, k] = [n % 34, Math.floor(n / 34) % 34, Math.floor(n / 34 ** 2)].map(inside);
-    return all[i + 34 * (j + 34 * k)];
+    const [i, j, k] = [n % 36, Math.floor(n / 36) % 36, Math.floor(n / 36 ** 2)].map(inside);
+    return all[i + 36 * (j + 36 * k)];
   });
   const wrong = samples.findIndex((value, n) => value !== expected[n]);
   if (samples.length !== expected.length || wrong >= 0)

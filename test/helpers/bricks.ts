@@ -1,7 +1,7 @@
 // Bricks over a volume, of a pyramid that is made here.
-import { brickSide } from '../../src/bricks/brick-data.ts';
+import { brickHalo, brickSide, slotSide } from '../../src/bricks/brick-data.ts';
 import type { BrickLevel, BrickSamples } from '../../src/bricks/brick-data.ts';
-import { layBricks, slotSide } from '../../src/bricks/brick-layout.ts';
+import { layBricks } from '../../src/bricks/brick-layout.ts';
 import type { BrickLayout } from '../../src/bricks/brick-layout.ts';
 import { buildPyramid, countBricks, listBricks } from '../../src/bricks/pyramid.ts';
 import type { Brick, Pyramid } from '../../src/bricks/pyramid.ts';
@@ -72,7 +72,7 @@ export function readBrick({ levels }: Pyramid, { level, at }: Brick, isAlone = t
   for (let k = 0, to = 0; k < slotSide; k++)
     for (let j = 0; j < slotSide; j++)
       for (let i = 0; i < slotSide; i++, to++) {
-        const own = [i, j, k].map((n) => (isAlone ? inside(n - 1, brickSide) : n - 1));
+        const own = [i, j, k].map((n) => (isAlone ? inside(n - brickHalo, brickSide) : n - brickHalo));
         const [x, y, z] = own.map((n, axis) => inside(at[axis] * brickSide + n, [nx, ny, nz][axis]));
         const value = (samples[to] = from[x + nx * (y + ny * z)]);
         if (Number.isNaN(value)) hasNoData = true;

@@ -1,4 +1,4 @@
-/// A volume with bricks of finer levels over it, all in one atlas: the volume with a halo of one voxel, and slots of bricks with theirs.
+/// A volume with bricks of finer levels over it, all in one atlas: the volume with a halo of two voxels, and slots of bricks with theirs.
 /// Twin: bricks/resident-bricks.ts
 uniform sampler3D uVolume;
 
@@ -37,9 +37,6 @@ vec3 voxelScale;
 float sameCells = 1.0;
 bool mayLackData = false;
 
-/// The texel of the atlas where the unit cube's first corner would lie, if all of the volume were in that brick.
-vec3 brickOrigin;
-
 /// What is known of the cell that a ray has looked into last: how many times as long as those of the finest level of which there are bricks its voxels are at least,
 /// samples for each of them, and whole steps that are left in it.
 float longer = 1.0;
@@ -56,7 +53,7 @@ float spacingOf(float code, float power, float within) {
   return min(longer / samplesPerVoxel, toWall);
 }
 
-/// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation needs, also at the ends of a level.
+/// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation there needs, and that of the places a texel away along each axis, also at the ends of a level.
 vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
   vec3 cell = min(place * uCellScale + uCellShift, uLastCell);
@@ -65,28 +62,7 @@ vec3 inAtlas(vec3 p) {
   if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
   voxelScale = uLevelScales[int(page.w)];
   mayLackData = fract(page.w) > 0.25;
-  brickOrigin = page.xyz;
-  return place * voxelScale + brickOrigin;
-}
-
-/// Whether places a voxel away from the last one that `inAtlas` was asked for lie in the same cell as that, and so show the same brick; p: unit cube.
-bool sharesBrick(vec3 p) {
-  vec3 low = p - 1.0 / voxelScale;
-  vec3 high = p + 1.0 / voxelScale;
-  bool isInside = all(greaterThan(low, uFinestLow)) && all(lessThan(high, uFinestHigh));
-  return isInside && floor(low * uCellScale + uCellShift) == floor(high * uCellScale + uCellShift);
-}
-
-/// The stored values of the places a voxel before and a voxel behind that one along each axis, in its brick, by the device's filter; p: unit cube.
-void filterAround(vec3 p, out vec3 low, out vec3 high) {
-  vec3 at = (p * voxelScale + brickOrigin) * uPerTexel;
-  vec3 texel = uPerTexel;
-  low.x = decodeTexel(textureLod(uVolume, at - vec3(texel.x, 0.0, 0.0), 0.0));
-  low.y = decodeTexel(textureLod(uVolume, at - vec3(0.0, texel.y, 0.0), 0.0));
-  low.z = decodeTexel(textureLod(uVolume, at - vec3(0.0, 0.0, texel.z), 0.0));
-  high.x = decodeTexel(textureLod(uVolume, at + vec3(texel.x, 0.0, 0.0), 0.0));
-  high.y = decodeTexel(textureLod(uVolume, at + vec3(0.0, texel.y, 0.0), 0.0));
-  high.z = decodeTexel(textureLod(uVolume, at + vec3(0.0, 0.0, texel.z), 0.0));
+  return place * voxelScale + page.xyz;
 }
 
 /// How far a line runs from a place to the next whole number along any axis; way: how far a unit of length moves it.
@@ -121,7 +97,12 @@ float fetchVoxel(vec3 index) {
   return decodeTexel(texelFetch(uVolume, ivec3(index + 0.5), 0));
 }
 
-/// Stored value, interpolated by the device's own tri-linear filter; p: unit cube.
+/// Stored value, interpolated by the device's own tri-linear filter; place: in texels of the atlas.
+float filterAtlas(vec3 place) {
+  return decodeTexel(textureLod(uVolume, place * uPerTexel, 0.0));
+}
+
+/// The same; p: unit cube.
 float filterVolume(vec3 p) {
-  return decodeTexel(textureLod(uVolume, inAtlas(p) * uPerTexel, 0.0));
+  return filterAtlas(inAtlas(p));
 }

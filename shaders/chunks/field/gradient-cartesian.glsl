@@ -1,22 +1,54 @@
 /// The taps of a cartesian grid are one voxel apart along its axes. Twin: optics/rays/gradient.ts, cartesianGradient
-vec3 beginTaps(vec3 p) {
-  return p;
-}
-
 vec3 growsTowards(vec3 p, vec3 from, vec3 perVoxel) {
   return perVoxel;
 }
 
-#if defined(BRICKS) || FILTER_IN_SHADER || NO_DATA
+#ifdef BRICKS
+/// The voxels are those that are shown at the place, in texels of the atlas: a brick has a halo, so that taps stay in it.
+vec3 beginTaps(vec3 p) {
+  return inAtlas(p);
+}
+
+vec3 tapSteps(vec3 from) {
+  return vec3(1.0);
+}
+
+#if !FILTER_IN_SHADER
+/// From voxel to voxel, where all of them have data: the device's filter gives their values.
+vec3 changeInAtlas(vec3 from) {
+  vec3 low = vec3(filterAtlas(from - vec3(1.0, 0.0, 0.0)), filterAtlas(from - vec3(0.0, 1.0, 0.0)), filterAtlas(from - vec3(0.0, 0.0, 1.0)));
+  vec3 high = vec3(filterAtlas(from + vec3(1.0, 0.0, 0.0)), filterAtlas(from + vec3(0.0, 1.0, 0.0)), filterAtlas(from + vec3(0.0, 0.0, 1.0)));
+  return 0.5 * uTableDomain.x * (high - low);
+}
+#endif
+
+#if FILTER_IN_SHADER
+#define TAPS_IN_LOOP
+
+bool tapField(vec3 at, out float stored) {
+  return interpolateAt(at, stored);
+}
+#elif NO_DATA
+#define TAPS_IN_LOOP
+
+bool tapField(vec3 at, out float stored) {
+  return sampleAtlas(at, stored);
+}
+#else
+vec3 changePerVoxel(Sample known, vec3 from) {
+  return changeInAtlas(from) * voxelScale / FINEST_VOXELS;
+}
+#endif
+#else
+vec3 beginTaps(vec3 p) {
+  return p;
+}
+
+#if FILTER_IN_SHADER || NO_DATA
 #define TAPS_IN_LOOP
 
 vec3 tapSteps(vec3 from) {
-#ifdef BRICKS
-  inAtlas(from);
-  return 1.0 / voxelScale;
-#else
   return 1.0 / uDimensions;
-#endif
 }
 
 bool tapField(vec3 at, out float stored) {
@@ -54,4 +86,5 @@ vec3 changePerVoxel(Sample known, vec3 from) {
   low += share.xz * (high - low);
   return 0.5 * uTableDomain.x * vec3(across.y - across.x, across.w - across.z, low.y - low.x);
 }
+#endif
 #endif

@@ -7,12 +7,7 @@ vec3 changePerVoxel(Sample known, vec3 from) {
   // Changes are those from one of the finest voxels to the next, also where voxels are larger.
   vec3 perTap = voxelScale / FINEST_VOXELS;
 #if !FILTER_IN_SHADER
-  if (!mayLackData && sharesBrick(from)) {
-    vec3 low;
-    vec3 high;
-    filterAround(from, low, high);
-    return 0.5 * uTableDomain.x * (high - low) * perTap;
-  }
+  if (!mayLackData) return changeInAtlas(from) * perTap;
 #endif
 #endif
   vec3 sums = vec3(0.0);

@@ -1,4 +1,4 @@
-import { brickSide } from '../../bricks/brick-data.ts';
+import { brickReach, brickSide } from '../../bricks/brick-data.ts';
 import type { BrickLevel } from '../../bricks/brick-data.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -49,11 +49,11 @@ function findFactors(level: OmeLevel, finest: OmeLevel, { space }: OmeAxes): Vec
   return factors.includes(0) ? null : (factors as unknown as Vector3);
 }
 
-/** Bytes of the chunks that a brick with its halo needs at most. */
+/** Bytes of the chunks that a brick needs at most with the voxels next to it. */
 function bytesForBrick({ array, dimensions }: OmeLevel, { space }: OmeAxes): number {
   const chunks = space.reduce<number>((product, axis, i) => {
     if (axis === null) return product;
-    const span = Math.min(dimensions[i], brickSide + 2);
+    const span = Math.min(dimensions[i], brickSide + 2 * brickReach);
     return (
       product * Math.min(Math.ceil(dimensions[i] / array.chunk[axis]), Math.ceil((span - 1) / array.chunk[axis]) + 1)
     );

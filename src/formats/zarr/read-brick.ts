@@ -1,4 +1,4 @@
-import { brickSide } from '../../bricks/brick-data.ts';
+import { brickHalo, brickReach, brickSide, slotSide } from '../../bricks/brick-data.ts';
 import type { BrickSamples } from '../../bricks/brick-data.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -23,15 +23,15 @@ interface BrickReading {
   readonly signal: AbortSignal;
 }
 
-/** Reads a brick with one voxel more at each side, as far as the level goes, or alone, and repeats its ends. */
+/** Reads a brick with what interpolation up to its faces needs, as far as the level goes, or alone, and repeats its ends. */
 export async function readBrick(
   source: ChunkSource,
   { level: { array, dimensions: ends } }: ZarrBrickLevel,
   { brick, isAlone, at, space, numbers, signal }: BrickReading,
 ): Promise<BrickSamples> {
-  const halo = isAlone ? 0 : 1;
-  const first = brick.at.map((n) => Math.max(0, n * brickSide - halo)) as unknown as Vector3;
-  const dimensions = brick.at.map((n, axis) => Math.min(ends[axis], (n + 1) * brickSide + halo) - first[axis]);
+  const reach = isAlone ? 0 : brickReach;
+  const first = brick.at.map((n) => Math.max(0, n * brickSide - reach)) as unknown as Vector3;
+  const dimensions = brick.at.map((n, axis) => Math.min(ends[axis], (n + 1) * brickSide + reach) - first[axis]);
   const box: ArrayBox = { axes: space, first, dimensions: dimensions as unknown as Vector3, at };
   const places = listChunks(array, box);
   const chunks = await source.read(array, places, signal);
@@ -40,21 +40,18 @@ export async function readBrick(
   const output = asNumbers(bytes, size);
   if (array.fill !== 0) output.fill(bitsOf(array) as never);
   for (const [i, chunk] of chunks.entries()) if (chunk) copyChunk(chunk, places[i], { array, box, output });
-  const origin = brick.at.map((n, axis) => n * brickSide - 1 - first[axis]);
+  const origin = brick.at.map((n, axis) => n * brickSide - brickHalo - first[axis]);
   return measure(repeatEnds(numbers.store(bytes), box.dimensions, origin));
 }
 
-/** Voxels along each axis, with the halo. */
-const whole = brickSide + 2;
-
 /** @param origin - the place of the first voxel of the brick with its halo among the samples; those outside of them are like the nearest one */
 function repeatEnds(samples: Samples, [nx, ny, nz]: Vector3, [x, y, z]: readonly number[]): Samples {
-  if (nx === whole && ny === whole && nz === whole) return samples;
+  if (nx === slotSide && ny === slotSide && nz === slotSide) return samples;
   const clamp = (n: number, count: number): number => Math.min(count - 1, Math.max(0, n));
-  const columns = Int32Array.from({ length: whole }, (_, i) => clamp(x + i, nx));
-  const repeated = allocateLike(samples, whole ** 3);
-  for (let k = 0, to = 0; k < whole; k++)
-    for (let j = 0; j < whole; j++) {
+  const columns = Int32Array.from({ length: slotSide }, (_, i) => clamp(x + i, nx));
+  const repeated = allocateLike(samples, slotSide ** 3);
+  for (let k = 0, to = 0; k < slotSide; k++)
+    for (let j = 0; j < slotSide; j++) {
       const row = nx * (clamp(y + j, ny) + ny * clamp(z + k, nz));
       for (const column of columns) repeated[to++] = samples[row + column];
     }

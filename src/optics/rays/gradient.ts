@@ -39,7 +39,7 @@ export function differ(
 
 /**
  * The gradient of a field on a cartesian grid. Inside the grid it equals interpolated central differences.
- * @param finer - where there are finer voxels, taps are as far apart as these, and changes are those from one of the finest to the next
+ * @param finer - where there are finer voxels, taps are as far away as these are long, and changes are those from one of the finest to the next
  * Twin: shaders/chunks/field/gradient-cartesian.glsl
  */
 export function cartesianGradient(field: FieldStage, coarse: GridFrame, finer?: FinerVoxels): GradientStage {
@@ -47,17 +47,15 @@ export function cartesianGradient(field: FieldStage, coarse: GridFrame, finer?: 
   const toWorld = normalsToWorld(grid);
   const whole = grid.dimensions.map((n) => 1 / n);
   return (place, known) => {
-    const voxel = finer?.voxelAt(place) ?? whole;
-    const tap = (axis: number, side: number): Vector3 => {
-      const by = side * voxel[axis];
-      return [
-        axis === 0 ? place[0] + by : place[0],
-        axis === 1 ? place[1] + by : place[1],
-        axis === 2 ? place[2] + by : place[2],
-      ];
+    const tapAt = (axis: number, side: number): Sample => {
+      if (field.sampleNextTo) return field.sampleNextTo(place, axis, side);
+      const tap: [number, number, number] = [...place];
+      tap[axis] += side * whole[axis];
+      return field.sampleAt(tap);
     };
-    const perTap = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
-    const perVoxel = finer ? (perTap.map((x, axis) => x * (whole[axis] / voxel[axis])) as unknown as Vector3) : perTap;
+    const perTap = differ(known, tapAt, field.isFolded);
+    const voxel = finer?.voxelAt(place);
+    const perVoxel = voxel ? (perTap.map((x, axis) => x * (whole[axis] / voxel[axis])) as unknown as Vector3) : perTap;
     return { perVoxel, world: transformDirection(toWorld, perVoxel) };
   };
 }

@@ -3,7 +3,7 @@ import { subtract } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { Samples } from '../../volume/volume.ts';
 import { interpolate } from './interpolate.ts';
-import type { FieldStage } from './ray-stages.ts';
+import type { FieldStage, Sample } from './ray-stages.ts';
 import { voteOfCorners } from './vote.ts';
 import { meetVoxelPlanes } from './voxel-planes.ts';
 
@@ -35,6 +35,7 @@ export function cartesianField({
     return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
   return {
     ...storedField((place) => (finer ? finer.storedAt(place) : interpolate(samples, dimensions, place)), scaling),
+    sampleNextTo: finer && ((place, axis, by) => toSample(finer.storedNextTo(place, axis, by), scaling)),
     kinksBetween: (from, to) => kinksBetween(finer?.grid.dimensions ?? dimensions, from, to),
     kinksAlong,
     jumpBetween:
@@ -73,16 +74,14 @@ export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): n
  * @param storedAt - stored value at a place of the unit cube; NaN if there is no data
  * @param foldFrom - stored values that differ by more than this are on two sides of a fold
  */
-export function storedField(
-  storedAt: (place: Vector3) => number,
-  { slope, intercept }: Scaling,
-  foldFrom = Infinity,
-): FieldStage {
+export function storedField(storedAt: (place: Vector3) => number, scaling: Scaling, foldFrom = Infinity): FieldStage {
   return {
-    sampleAt: (place) => {
-      const value = slope * storedAt(place) + intercept;
-      return { value, valid: !Number.isNaN(value) };
-    },
-    isFolded: (from, to) => Math.abs(to - from) > foldFrom * Math.abs(slope),
+    sampleAt: (place) => toSample(storedAt(place), scaling),
+    isFolded: (from, to) => Math.abs(to - from) > foldFrom * Math.abs(scaling.slope),
   };
+}
+
+function toSample(stored: number, { slope, intercept }: Scaling): Sample {
+  const value = slope * stored + intercept;
+  return { value, valid: !Number.isNaN(value) };
 }

@@ -61,6 +61,11 @@ export type IntervalStage = (ray: Ray, interval: Interval) => Interval;
 export interface FieldStage {
   /** @param place - in the unit cube */
   sampleAt(place: Vector3): Sample;
+  /**
+   * The sample a voxel away from a place along an axis, of the voxels that are shown at the place: light looks at both sides. As `sampleAt` if absent.
+   * @param by - 1 or -1
+   */
+  sampleNextTo?(place: Vector3, axis: number, by: number): Sample;
   /** Whether values fold over between two: then values in between do not occur. */
   isFolded(from: number, to: number): boolean;
   /**

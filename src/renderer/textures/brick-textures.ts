@@ -1,5 +1,5 @@
-import { brickSide } from '../../bricks/brick-data.ts';
-import { brickHalo, placeOfSlot, slotSide } from '../../bricks/brick-layout.ts';
+import { brickHalo, brickSide, slotSide } from '../../bricks/brick-data.ts';
+import { placeOfSlot } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import {
   bytesOfCell,

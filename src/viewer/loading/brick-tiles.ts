@@ -1,5 +1,6 @@
+import { slotSide } from '../../bricks/brick-data.ts';
 import type { BrickSamples } from '../../bricks/brick-data.ts';
-import { brickOfCell, cellOfPlace, slotSide } from '../../bricks/brick-layout.ts';
+import { brickOfCell, cellOfPlace } from '../../bricks/brick-layout.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
 import { keyOfBrick } from '../../bricks/resident-bricks.ts';
 import type { ResidentBricks } from '../../bricks/resident-bricks.ts';

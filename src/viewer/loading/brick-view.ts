@@ -1,5 +1,5 @@
 // Shows a pyramid that is larger than the GPU: a coarse level as a whole, and bricks of finer ones over it. Loaded with the first such volume.
-import { layBricks, shapeAtlas, slotSide, slotsWithin } from '../../bricks/brick-layout.ts';
+import { layBricks, shapeAtlas, slotsBelow, slotsWithin } from '../../bricks/brick-layout.ts';
 import type { Brick } from '../../bricks/pyramid.ts';
 import { ResidentBricks } from '../../bricks/resident-bricks.ts';
 import { ResidentDetail } from '../../bricks/resident-detail.ts';
@@ -115,7 +115,7 @@ export class BrickView implements ViewPart, KeptBricks {
     const { atlas, layout, maxSlots } = this.bricks;
     const bytes = Math.min(this.#maxBytes, pageRoom.share);
     const within = slotsWithin(bytes, atlas, layout, this.parts.pinned.samples.BYTES_PER_ELEMENT);
-    return Math.min(within, atlas.slotsOfLayer * Math.floor((this.#maxSide - atlas.depth) / slotSide), maxSlots);
+    return Math.min(within, slotsBelow(atlas, this.#maxSide), maxSlots);
   }
 
   // What the socket calls.

@@ -146,7 +146,7 @@ describe('a pyramid that a worker reads in bricks', () => {
       while (chunks().length === 0) await new Promise((resolve) => setTimeout(resolve, 5));
       stores[0]!.close();
       expect(await first).to.include({ name: 'AbortError' });
-      expect((await second).samples.length).to.equal(34 ** 3);
+      expect((await second).samples.length).to.equal(36 ** 3);
       server.faults = {};
       await expectWhole(stores[1]);
       await expectWhole(stores[2]);

@@ -12,7 +12,7 @@ import { syntheticVolume } from '../../../helpers/synthetic.ts';
 /** Of the level that is always there, which has half the voxels along each axis. */
 const atlas = shapeAtlas([96, 96, 80], 7000);
 const { slotsOfLayer, width, height, depth } = atlas;
-const layerBytes = slotsOfLayer * 34 ** 3;
+const layerBytes = slotsOfLayer * 36 ** 3;
 
 function makeAtlas() {
   const gl = document.createElement('canvas').getContext('webgl2')!;
@@ -60,7 +60,7 @@ describe('the atlas of bricks', () => {
     let writes = 0;
     const native = gl.texSubImage3D.bind(gl);
     gl.texSubImage3D = (...args: unknown[]) => {
-      if (args[5] === 34 && args[6] === 34 && args[7] === 34) writes++;
+      if (args[5] === 36 && args[6] === 36 && args[7] === 36) writes++;
       (native as (...all: unknown[]) => void)(...args);
     };
     field.inputs();

@@ -10,7 +10,7 @@ import { cutIntoBricks, readBrick } from '../../../helpers/bricks.ts';
 import { randomNumbers, syntheticVolume } from '../../../helpers/synthetic.ts';
 
 const whole = syntheticVolume({ dimensions: [128, 96, 64] });
-const bytesOfBrick = 34 ** 3;
+const bytesOfBrick = 36 ** 3;
 
 /** Has so many bytes. */
 function createRoom(bytes: number) {

@@ -154,7 +154,7 @@ describe('bricks for panes', () => {
       bricks: large.volume.finer,
       read: async () => {
         reads++;
-        return { samples: new Float32Array(34 ** 3), low: 0, high: 1, hasNoData: false };
+        return { samples: new Float32Array(36 ** 3), low: 0, high: 1, hasNoData: false };
       },
       failed: () => {},
     });
