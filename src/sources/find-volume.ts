@@ -155,17 +155,16 @@ async function isCertain(format: Format, { unpacked }: FileStart): Promise<boole
   );
 }
 
-/** A file that is meant to be JSON, and is not, is left to its reader, which says so. */
+/** A file that is named JSON, and is not, is left to its reader, which says so. Other data may begin with a brace by chance. */
 async function isManifest(store: ByteStore, url: string): Promise<boolean> {
   const { size } = await store.stat(url);
   if (size === null || size > maxManifestBytes) return false;
+  const { bytes } = await store.read(url);
   try {
-    const { bytes } = await store.read(url);
     const value = JSON.parse(new TextDecoder().decode(bytes)) as object;
     return ['image', 'video', 'files', 'scans'].some((name) => Object.hasOwn(value, name));
-  } catch (cause) {
-    if (cause instanceof SyntaxError) return true;
-    throw cause;
+  } catch {
+    return /\.json$/i.test(url);
   }
 }
 

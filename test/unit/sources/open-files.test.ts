@@ -31,6 +31,15 @@ describe('a manifest among chosen files', () => {
       expect(files).to.equal(undefined);
     }
   });
+
+  it('that is no JSON is still one by its name, and data that begin with a brace by chance are none', async () => {
+    const data = await fetchFixture('metaimage/data.raw');
+    data[0] = 0x7b;
+    const chosen = [await fileOf('metaimage/detached.mhd'), new File([data], 'data.raw')];
+    expect((await local(chosen)).first).to.match(/\.mhd$/);
+    for (const name of ['scan.json', 'SCAN.JSON'])
+      expect((await local([...chosen, new File(['{ "image": '], name)])).first, name).to.match(/\.json$/i);
+  });
 });
 
 describe('the volume of an archive', () => {
