@@ -1,9 +1,8 @@
 // Stacks of ImageJ and Fiji. Source: ImageJ 1.54, ij/io/FileInfo and TiffEncoder: lines of "name=value" in ImageDescription
-import type { Vector3 } from '../../volume/matrix.ts';
-import { millimetresOf } from '../base/length-units.ts';
+import { scaleImageJ } from './imagej-values.ts';
 import { nameRest } from './layout.ts';
 import type { TiffLayout } from './layout.ts';
-import { tags } from './tiff-file.ts';
+import { readSpacing } from './page-spacing.ts';
 import type { Directory, TiffFile } from './tiff-file.ts';
 
 export const isImageJ = (description: string): boolean => description.startsWith('ImageJ=');
@@ -22,7 +21,7 @@ export function layOutImageJ(
     description
       .split('\n', 100)
       .map((line) => line.split('='))
-      .map(([name, ...rest]) => [name.trim(), rest.join('=').trim()]),
+      .map(([name, ...rest]) => [name.trim(), readText(rest.join('=').trim())]),
   );
   const count = (name: string): number => {
     const value = Number(values.get(name) ?? 1);
@@ -33,34 +32,27 @@ export function layOutImageJ(
   if (slices * channels * times !== pages) return null;
   const number = (name: string): number => Number(values.get(name) ?? NaN);
   const [low, high] = [number('min'), number('max')];
+  const { scale, left } = scaleImageJ(file, first, values);
+  const { slope, intercept, shift } = scale ?? { slope: 1, intercept: 0, shift: 0 };
+  // The window is one of numbers as ImageJ has them in memory.
+  const window = [low, high].map((value) => slope * (value - shift) + intercept);
   return {
     format: 'ImageJ TIFF',
     pages,
     slices,
     times,
     pageOf: (slice, time) => (time * slices + slice) * channels,
-    spacing: readSpacing(file, first, values),
+    spacing: readSpacing(file, first, { unit: values.get('unit') ?? '', distance: number('spacing') }),
     timeStep:
       number('finterval') > 0 && /^(sec|s|seconds)?$/.test(values.get('tunit') ?? '') ? number('finterval') : null,
-    left: [nameRest('channel', channels)].filter((one) => one !== null),
-    ...(channels === 1 && high > low && Number.isFinite(high - low) ? { window: [low, high] as const } : {}),
+    left: [nameRest('channel', channels), left].filter((one) => one !== null),
+    ...(scale && { scale }),
+    ...(channels === 1 && high > low && Number.isFinite(window[1] - window[0])
+      ? { window: [Math.min(...window), Math.max(...window)] as const }
+      : {}),
   };
 }
 
-/** Pixels are as wide as the tags of resolution say, in the unit of the description; slices as far apart as it says. */
-function readSpacing(file: TiffFile, first: Directory, values: ReadonlyMap<string, string>): Vector3 | null {
-  const text = (values.get('unit') ?? '').replace(/\\u([\da-f]{4})/gi, (_, code: string) =>
-    String.fromCharCode(Number.parseInt(code, 16)),
-  );
-  const unit = millimetresOf(text);
-  const length = (tag: number): number => {
-    const [pixels, per] = file.numbers(first, tag);
-    return per / pixels;
-  };
-  const [x, y] = [length(tags.xResolution), length(tags.yResolution)];
-  const z = Math.abs(Number(values.get('spacing') ?? NaN));
-  if (unit === undefined || ![x, y].every(isLength)) return null;
-  return [x * unit, y * unit, (isLength(z) ? z : x) * unit];
-}
-
-const isLength = (value: number): boolean => value > 0 && Number.isFinite(value);
+/** Signs beyond ASCII are written as Java's properties have them. */
+const readText = (text: string): string =>
+  text.replace(/\\u([\da-f]{4})/gi, (_, code: string) => String.fromCharCode(Number.parseInt(code, 16)));

@@ -1,5 +1,12 @@
 import type { Vector3 } from '../../volume/matrix.ts';
 
+/** Value = slope * number + intercept. */
+export interface ValueScale {
+  readonly slope: number;
+  readonly intercept: number;
+  readonly unit: string;
+}
+
 /** Which pages of a file are its slices, and where they lie. */
 export interface TiffLayout {
   /** 'OME-TIFF' */
@@ -15,6 +22,8 @@ export interface TiffLayout {
   /** What of the file is not shown, in words. */
   readonly left: readonly string[];
   readonly window?: readonly [number, number];
+  /** Absent where numbers are values. */
+  readonly scale?: ValueScale;
 }
 
 /** 'channels 2 to 4 of the file' */

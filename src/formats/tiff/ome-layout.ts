@@ -66,9 +66,11 @@ function listPages({ sizes, order, samples, parts }: OmePixels, pages: number, b
 /** Whether one element without a count stands for all pages. */
 const isWhole = (parts: OmePixels['parts']): boolean => parts.length === 1;
 
+/** Where all units are none of length, such as pixels, lengths stay as they are: so the shape of voxels is right. */
 function readSpacing({ lengths }: OmePixels): { spacing: Vector3 | null; isGuessed: boolean } {
+  const other = lengths.some(([length, unit]) => length > 0 && millimetresOf(unit) !== undefined) ? NaN : 1;
   const [x, y, z] = lengths.map(([length, unit]) => {
-    const millimetres = length * (millimetresOf(unit) ?? NaN);
+    const millimetres = length * (millimetresOf(unit) ?? other);
     return millimetres > 0 && Number.isFinite(millimetres) ? millimetres : null;
   });
   if (x === null || y === null) return { spacing: null, isGuessed: false };

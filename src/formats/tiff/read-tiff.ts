@@ -52,13 +52,14 @@ export const readTiff: FormatReader = async (input, settings, context) => {
   });
   const slices = bytes.length / pageBytes(stack.page);
   const { times } = stack.layout;
+  const { slope, intercept } = stack.layout.scale ?? plain;
   return placeVolume(
     {
       ...describe(stack, slices),
       ...listLeft(times, ...listOmitted(stack)),
       samples: stored.samples,
-      slope: stored.scale,
-      intercept: stored.offset,
+      slope: slope * stored.scale,
+      intercept: slope * stored.offset + intercept,
       indexed: stored.indexed,
       rounded: stored.rounded,
       unkept: stored.unkept,
@@ -70,14 +71,17 @@ export const readTiff: FormatReader = async (input, settings, context) => {
   );
 };
 
+/** Numbers that are values. */
+const plain = { slope: 1, intercept: 0 };
+
 type Described = Pick<DecodedCartesianVolume, 'grid' | 'unit' | 'format' | 'window'>;
 
 function describe({ layout, page }: TiffStack, slices: number): Described {
-  const { format, times, spacing, window } = layout;
+  const { format, times, spacing, window, scale } = layout;
   const dimensions: Vector3 = [page.columns, page.rows, slices];
   return {
     grid: cartesianGrid(dimensions, axialIndexToWorld(dimensions, spacing ?? [1, 1, 1])),
-    unit: '',
+    unit: scale?.unit ?? '',
     format: `${format}${times > 1 ? `, volume 1 of ${times}` : ''}`,
     ...(window ? { window: [...window] as [number, number] } : {}),
   };
@@ -175,7 +179,7 @@ async function openTimes(
       count: layout.times,
       type: page.type.name,
       littleEndian: hostIsLittleEndian,
-      scaleOf: () => ({ slope: 1, intercept: 0 }),
+      scaleOf: () => layout.scale ?? plain,
       timeOf: (index) => (layout.timeStep === null ? null : timeText(index * layout.timeStep, 's')),
     },
     settings,

@@ -36,6 +36,7 @@ export const tags = {
   xResolution: 282,
   yResolution: 283,
   planar: 284,
+  resolutionUnit: 296,
   predictor: 317,
   colorMap: 320,
   tileColumns: 322,
@@ -136,13 +137,18 @@ export class TiffFile {
     return entry && entry.count > 0 ? this.#number(entry.type, entry.at) : undefined;
   }
 
-  /** A text up to its first 0. */
+  /** A text up to its first 0: UTF-8, or Latin-1 as older programs write it. */
   text(directory: Directory, tag: number): string {
     const bytes = this.part(directory, tag);
     this.budget.take(2 * bytes.length, 'a text of the TIFF file');
     this.budget.giveBack(2 * bytes.length);
     const end = bytes.indexOf(0);
-    return new TextDecoder().decode(end < 0 ? bytes : bytes.subarray(0, end));
+    const text = end < 0 ? bytes : bytes.subarray(0, end);
+    try {
+      return new TextDecoder('utf-8', { fatal: true }).decode(text);
+    } catch {
+      return new TextDecoder('latin1').decode(text);
+    }
   }
 
   /** The bytes of an entry. */

@@ -112,12 +112,6 @@ describe('a TIFF file', () => {
     const empty = grayPage(3, 2, strip(5), { 273: [4, firstStrip, 0], 279: [4, 3, 0], 278: [4, 1] });
     expect(valuesOf(await decodeBytes(tiffBytes([empty]), 'x.tif'))).to.deep.equal([5, 6, 7, 0, 0, 0]);
   });
-
-  it('of ImageJ has the window that it was shown with', async () => {
-    const lines = 'ImageJ=1.54f\nimages=2\nslices=2\nmin=3.0\nmax=9.0\n';
-    const file = tiffBytes([grayPage(3, 2, strip(1), text(lines)), grayPage(3, 2, strip(7))]);
-    expect((await decodeBytes(file, 'x.tif')).window).to.deep.equal([3, 9]);
-  });
 });
 
 const many = 2 ** 30;
