@@ -5,6 +5,7 @@ import { isImageJ, layOutImageJ } from './imagej-layout.ts';
 import type { TiffLayout } from './layout.ts';
 import { layOutOme } from './ome-layout.ts';
 import { isOme } from './ome-pixels.ts';
+import { isShaped, layOutShaped } from './shaped-layout.ts';
 import { TiffFile, tags, what } from './tiff-file.ts';
 import type { Directory } from './tiff-file.ts';
 import { isSlicePage, keyOf, readPage } from './tiff-page.ts';
@@ -30,8 +31,12 @@ export function openTiff(bytes: Uint8Array<ArrayBuffer>, budget: Budget): TiffSt
   const all = file.readDirectories();
   const description = file.text(all[0], tags.description);
   if (isOme(description)) return makeStack(file, layOutOme(description, all.length, budget), all);
-  const imageJ = isImageJ(description) ? layOutImageJ(file, all[0], description) : null;
-  if (imageJ) return makeStack(file, imageJ, all, imageJ.pages);
+  const described = isImageJ(description)
+    ? layOutImageJ(file, all[0], description)
+    : isShaped(description)
+      ? layOutShaped(file, all, description)
+      : null;
+  if (described) return makeStack(file, described, all, described.pages);
   return layOutPages(file, all);
 }
 
