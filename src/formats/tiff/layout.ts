@@ -19,6 +19,8 @@ export interface TiffLayout {
   readonly spacing: Vector3 | null;
   /** Seconds from one time to the next; null where the file does not say it. */
   readonly timeStep: number | null;
+  /** Whether slices without a page are 0, and no error. */
+  readonly mayLack?: boolean;
   /** What of the file is not shown, in words. */
   readonly left: readonly string[];
   readonly window?: readonly [number, number];

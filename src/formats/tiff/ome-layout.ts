@@ -16,7 +16,11 @@ export function layOutOme(xml: string, pages: number, budget: Budget): TiffLayou
   budget.step(xml.length, 'the OME-XML');
   const pixels = readOmePixels(xml);
   const { sizes, images } = pixels;
-  const places = listPages(pixels, pages, budget);
+  const { places, isCut } = listPages(pixels, pages, budget);
+  const planes = sizes.Z * sizes.T;
+  // An acquisition that was stopped names only the planes that it has.
+  const mayLack = !isCut && planes <= places.size * maxLack;
+  const lacking = planes - places.size;
   const { spacing, isGuessed } = readSpacing(pixels);
   return {
     format: 'OME-TIFF',
@@ -25,7 +29,11 @@ export function layOutOme(xml: string, pages: number, budget: Budget): TiffLayou
     pageOf: (slice, time) => places.get(time * sizes.Z + slice) ?? null,
     spacing,
     timeStep: readStep(pixels),
+    mayLack,
     left: [
+      mayLack && lacking > 0
+        ? `${lacking.toLocaleString('en')} of ${planes.toLocaleString('en')} slices, which the file does not hold: they are shown as 0`
+        : null,
       nameRest('channel', pixels.samples.length > 0 ? pixels.samples.length : sizes.C),
       nameRest('image', images),
       isGuessed && sizes.Z > 1 ? guessedDistance : null,
@@ -33,16 +41,26 @@ export function layOutOme(xml: string, pages: number, budget: Budget): TiffLayou
   };
 }
 
-/** The page of each slice of the first channel, by time * slices + slice. */
-function listPages({ sizes, order, samples, parts }: OmePixels, pages: number, budget: Budget): Map<number, number> {
+/** For each slice that the file holds, so many may be missing: what is made of a small file stays small. */
+const maxLack = 1024;
+
+interface Places {
+  /** The page of each slice of the first channel, by time * slices + slice. */
+  readonly places: ReadonlyMap<number, number>;
+  /** Whether pages are named, or have to be there, that the file does not have. */
+  readonly isCut: boolean;
+}
+
+function listPages({ sizes, order, samples, parts }: OmePixels, pages: number, budget: Budget): Places {
   // A page holds all numbers of a channel.
   const perPage = Math.max(1, samples[0] ?? 1);
   const counts = { ...sizes, C: Math.max(1, Math.round(sizes.C / perPage)) };
   const axes = order.slice(2).split('') as ('C' | 'Z' | 'T')[];
   const places = new Map<number, number>();
-  let next = 0;
+  let [next, isCut] = [0, parts.every(({ count }) => count === undefined) && isWhole(parts)];
   for (const part of parts.length > 0 ? parts : [{ page: 0, c: 0, z: 0, t: 0, count: undefined }]) {
     const first = part.page ?? next;
+    if (!(first + (part.count ?? 1) <= pages)) isCut = true;
     // One page where it is named; else all that follow.
     const count = Math.min(
       part.count ?? (part.page === undefined || parts.length === 0 || isWhole(parts) ? pages : 1),
@@ -60,11 +78,11 @@ function listPages({ sizes, order, samples, parts }: OmePixels, pages: number, b
     }
     next = first + count;
   }
-  return places;
+  return { places, isCut };
 }
 
-/** Whether one element without a count stands for all pages. */
-const isWhole = (parts: OmePixels['parts']): boolean => parts.length === 1;
+/** Whether one element without a count stands for all pages, or none does. */
+const isWhole = (parts: OmePixels['parts']): boolean => parts.length <= 1;
 
 /** Where all units are none of length, such as pixels, lengths stay as they are: so the shape of voxels is right. */
 function readSpacing({ lengths }: OmePixels): { spacing: Vector3 | null; isGuessed: boolean } {

@@ -116,7 +116,8 @@ function decodeTime(
   const all = countSampleBytes(what, [page.columns, page.rows, layout.slices], page.type);
   budget.step(layout.slices * stepsPerSlice, 'the slices of the TIFF file');
   let missing = 0;
-  for (; missing < layout.slices; missing++) if ((layout.pageOf(missing, time) ?? pages) >= pages) break;
+  const absent = layout.mayLack ? -1 : pages;
+  for (; missing < layout.slices; missing++) if ((layout.pageOf(missing, time) ?? absent) >= pages) break;
   if (missing < layout.slices)
     throw corruptFile(
       what,
@@ -128,11 +129,13 @@ function decodeTime(
   const rgb = keepsColors ? allocateColors(stack, layout.slices) : undefined;
   for (let k = 0; k < layout.slices; k++) {
     onProgress(k, layout.slices);
+    const at = layout.pageOf(k, time);
+    if (at === null) continue;
     const to = {
       numbers: bytes.subarray(k * size, (k + 1) * size),
       rgb: rgb?.subarray(3 * k * pixels, 3 * (k + 1) * pixels),
     };
-    decodePage(file, readPageAt(layout.pageOf(k, time)!), to, use);
+    decodePage(file, readPageAt(at), to, use);
   }
   return { bytes, rgb };
 }

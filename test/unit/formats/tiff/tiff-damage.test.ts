@@ -9,6 +9,7 @@ import type { TiffEntry, TiffPageBytes } from '../../../helpers/tiff-bytes.ts';
 const strip = (from: number, count = 6): Uint8Array => Uint8Array.from({ length: count }, (_, i) => from + i);
 const pages = (...starts: number[]): TiffPageBytes[] => starts.map((from) => grayPage(3, 2, strip(from)));
 const text = (value: string): Record<number, TiffEntry> => ({ 270: [2, value] });
+const zeros = [0, 0, 0, 0, 0, 0];
 const valuesFrom = (...starts: number[]): number[] => starts.flatMap((from) => [...strip(from)]);
 
 /** OME-XML of pages of 3 x 2 pixels. */
@@ -43,6 +44,18 @@ describe('the pages of an OME-TIFF', () => {
     ).to.deep.equal(valuesFrom(10, 30));
   });
 
+  it('that a stopped acquisition does not have are 0, and that is said', async () => {
+    const parts = (...names: readonly string[]): string =>
+      names.map((name, page) => `<TiffData IFD="${page}" ${name} PlaneCount="1"/>`).join('');
+    const volume = await decodeBytes(omeFile(ome({ Z: 4 }, parts('FirstZ="1"', 'FirstZ="3"')), [10, 20]), 'x.tif');
+    expect(valuesOf(volume)).to.deep.equal([...zeros, ...strip(10), ...zeros, ...strip(20)]);
+    expect(volume.left).to.deep.equal(['2 of 4 slices, which the file does not hold: they are shown as 0']);
+    const times = omeFile(ome({ Z: 2, T: 2 }, parts('', 'FirstZ="1"', 'FirstT="1"')), [1, 11, 21]);
+    const { first, read } = await openScans(times, 'x.ome.tif', { scan: { index: 0 } });
+    expect(valuesOf(await read(1))).to.deep.equal([...strip(21), ...zeros]);
+    expect(first.left).to.deep.equal(['1 of 4 slices, which the file does not hold: they are shown as 0']);
+  });
+
   it('of several times are scans, with their times in seconds', async () => {
     const file = omeFile(
       ome({ Z: 2, T: 3 }, '', 'XYZCT', 'TimeIncrement="500" TimeIncrementUnit="ms"'),
@@ -63,6 +76,10 @@ describe('the pages of an OME-TIFF', () => {
     ],
     ['BinaryOnly', '<OME><BinaryOnly MetadataFile="a.companion.ome" UUID="urn:uuid:a"/></OME>', 'format/unsupported'],
     ['none for slice 3', ome({ Z: 3 }), 'format/corrupt'],
+    ['none for slice 3', ome({ Z: 3 }, '<TiffData/>'), 'format/corrupt'],
+    ['none for slice 3', ome({ Z: 3 }, '<TiffData IFD="0" PlaneCount="3"/>'), 'format/corrupt'],
+    ['none for slice 1', ome({ Z: 3 }, '<TiffData IFD="7" PlaneCount="1"/>'), 'format/corrupt'],
+    ['none for slice 2', ome({ Z: 2 ** 12 }, '<TiffData IFD="0" PlaneCount="1"/>'), 'format/corrupt'],
     ['without Pixels', '<OME></OME>', 'format/corrupt'],
     ['can not be read', '<OME><Image><Pixels', 'format/corrupt'],
     ['0 slices', ome({ Z: 0 }), 'format/corrupt'],
