@@ -8,5 +8,7 @@ export const bzip2: VolumeFormat = {
   endings: ['bz2'],
   beginning: 'a bzip2 header',
   matches: ({ bytes }) => startsWith(bytes, 'BZh'),
+  // It may be the data of a header.
+  last: true,
   load: async () => (await import('./read-bzip2.ts')).readBzip2,
 };

@@ -8,5 +8,7 @@ export const zstd: VolumeFormat = {
   endings: ['zst'],
   beginning: 'a Zstandard header',
   matches: ({ bytes }) => startsWith(bytes, '\x28\xb5\x2f\xfd'),
+  // It may be the data of a header.
+  last: true,
   load: async () => (await import('./read-zstd.ts')).readZstd,
 };

@@ -208,6 +208,18 @@ describe('several volumes in one choice of files', () => {
     });
   }
 
+  it('are one where a file is the data of a header, packed with bzip2 under any name', async () => {
+    const whole = await fetchFixture('nrrd/bzip2.nrrd');
+    const start = new TextDecoder('latin1').decode(whole).indexOf('\n\n') + 2;
+    const head = new TextDecoder().decode(whole.slice(0, start - 1));
+    for (const name of ['a.raw', 'a.dat', 'a.raw.bz2']) {
+      const header = new TextEncoder().encode(`${head}data file: ${name}\n`);
+      const volume = await open({ 'a.nhdr': header, [name]: whole.slice(start) });
+      expect(volume, name).to.include({ format: 'NRRD' });
+      expect([volume.left, volume.series], name).to.deep.equal([undefined, undefined]);
+    }
+  });
+
   it('are refused by a number that none of them has', async () => {
     const two = await expectError(open({ ...nifti, ...nrrd }, { series: 3 }));
     expect(two.code).to.equal('attribute/invalid');
