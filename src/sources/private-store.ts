@@ -130,7 +130,21 @@ export class PrivateStore implements ByteStore {
       return called;
     });
     const stem = name.replace(known, '');
-    return [...folders, (this.#parts.get(inside + stem) ?? stem) + name.slice(stem.length)].join('/');
+    return this.#nearest([...folders, (this.#parts.get(inside + stem) ?? stem) + name.slice(stem.length)].join('/'));
+  }
+
+  /**
+   * A header may name folders that were not chosen, or a name in another case: then it means the only file of that name, in
+   * its folder or in one around it. In other folders, the file may belong to another header.
+   */
+  #nearest(path: string): string {
+    const wanted = path.toLowerCase();
+    const name = wanted.split('/').at(-1)!;
+    const all = [...this.#real.values()];
+    const named = all.filter((real) => real.toLowerCase().split('/').at(-1) === name);
+    const [only] = named;
+    const isAround = named.length === 1 && wanted.startsWith(only.toLowerCase().slice(0, -name.length));
+    return isAround && !all.includes(path) ? only : path;
   }
 }
 

@@ -194,6 +194,17 @@ describe('files that a person chose', () => {
     expect(error.message).to.contain('the choice of 2 files');
   });
 
+  it('are found by a header that names folders which were not chosen, or another case', async () => {
+    const { url } = await privately(folder(['h.mhd', 'Doe.raw', 'A/i.mhd', 'B/Roe.raw']));
+    for (const path of ['data/Doe.raw', 'DOE.RAW', 'data/more/doe.RAW', 'folder-1/Doe.raw'])
+      expect(await url(path), path).to.equal('Doe.raw');
+    // The data of other headers are in other folders, and none of several is chosen.
+    await expectError(url('folder-1/Roe.raw'));
+    const { url: ofTwo } = await privately(folder(['h.mhd', 'Doe.raw', 'B/Doe.raw']));
+    expect(await ofTwo('Doe.raw')).to.equal('Doe.raw');
+    for (const path of ['data/Doe.raw', 'DOE.RAW']) await expectError(ofTwo(path));
+  });
+
   it('that are called as messages call files are not mistaken', async () => {
     const [raw, header] = [await fileOf('metaimage/data.raw', 'file-2.raw'), await fileOf('metaimage/detached.mhd')];
     const named = new File([(await header.text()).replace('data.raw', 'file-2.raw')], 'b.mhd');
@@ -211,6 +222,14 @@ describe('files that a person chose', () => {
     expect(await url('file-1.IMG.gz')).to.equal('Doe_John.IMG.gz');
   });
 });
+
+/** Files that hold their paths. */
+const folder = (paths: readonly string[]): File[] =>
+  paths.map((path) => {
+    const file = new File([path], path.replace(/.*\//, ''));
+    Object.defineProperty(file, 'webkitRelativePath', { value: path });
+    return file;
+  });
 
 /** As a browser gives it. */
 function folderOf(name: string, inside: readonly (File | object)[]): object {
