@@ -25,6 +25,6 @@ export async function readHdf5Radar(
     .join(', ');
   throw new VolumeViewError(
     'format/unsupported',
-    `the HDF5 file is no radar scan that is known here: it holds ${held || 'nothing'}; expected ODIM_H5, CfRadial 1 or CfRadial 2`,
+    `the HDF5 file is no radar scan that is known here: it holds ${held || 'nothing'}; expected ODIM_H5, CfRadial 1 or CfRadial 2. Other HDF5 files (Imaris .ims, ilastik .h5, MATLAB .mat, models .nc) are not read: convert a volume to OME-Zarr or TIFF, as bioformats2raw, Fiji and tifffile write them`,
   );
 }

@@ -334,7 +334,7 @@ describe('ODIM_H5 files that are refused', () => {
     const bytes = await patched('odim-2.1.h5', 'ODIM_H5/V2_1', 'else_H5/V2_1');
     const error = await expectError(readHdf5Radar(await withoutWhat(bytes)));
     expect(error.code).to.equal('format/unsupported');
-    expect(error.message).to.contain('dataset1').and.to.contain('ODIM_H5');
+    expect(error.message).to.contain('dataset1').and.to.contain('ODIM_H5').and.to.contain('OME-Zarr');
   });
 
   it('say that a chunk is damaged, by its checksum', async () => {
