@@ -30,6 +30,8 @@ export function layOutImageJ(
   const [pages, channels, times] = [count('images'), count('channels'), count('frames')];
   const slices = values.has('slices') || channels * times > 1 ? count('slices') : pages;
   if (slices * channels * times !== pages) return null;
+  // ImageJ does not write a distance of 1. Source: ImageJ 1.54, FileSaver, getDescriptionString
+  const distance = Number(values.get('spacing') ?? (slices > 1 ? 1 : NaN));
   const number = (name: string): number => Number(values.get(name) ?? NaN);
   const [low, high] = [number('min'), number('max')];
   const { scale, left } = scaleImageJ(file, first, values);
@@ -42,7 +44,7 @@ export function layOutImageJ(
     slices,
     times,
     pageOf: (slice, time) => (time * slices + slice) * channels,
-    spacing: readSpacing(file, first, { unit: values.get('unit') ?? '', distance: number('spacing') }),
+    spacing: readSpacing(file, first, { unit: values.get('unit') ?? '', distance }),
     timeStep:
       number('finterval') > 0 && /^(sec|s|seconds)?$/.test(values.get('tunit') ?? '') ? number('finterval') : null,
     left: [nameRest('channel', channels), left].filter((one) => one !== null),

@@ -78,6 +78,7 @@ describe('the lengths of an ImageJ TIFF', () => {
   for (const [what, lines, entries, expected] of [
     ['in micrometres', 'unit=um\nspacing=3', resolution(), [5e-4, 5e-4, 3e-3]],
     ["of Java's properties", 'unit=\\u00B5m\nspacing=3', resolution(), [5e-4, 5e-4, 3e-3]],
+    ['with slices 1 apart, which is not written', 'unit=um', resolution(), [5e-4, 5e-4, 1e-3]],
     ['in pixels', 'unit=pixel\nspacing=3', resolution(), [0.5, 0.5, 3]],
     ['without a unit', 'spacing=3', resolution(), [0.5, 0.5, 3]],
     ['in pixels without a width', 'unit=pixel\nspacing=3', {}, [1, 1, 3]],
