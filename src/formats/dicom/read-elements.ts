@@ -128,6 +128,10 @@ function readSet(
     const isKnown = findTag(id) !== undefined;
     const isSequence = vr === 'SQ' || length === untilMark || (isKnown && isSequenceTag(id));
     if (length !== untilMark && length > end - start) throw endsEarly(reading, id, length, end - start);
+    if (length === untilMark && isInFragments(header)) {
+      at = skipFragments(reading, start, end);
+      continue;
+    }
     if (isSequence && (isKnown || length === untilMark)) {
       // An unknown element of no length is a sequence with implicit representations (PS3.5, 6.2.2, note 2).
       const items: DataSet[] = [];
@@ -149,6 +153,13 @@ function readSet(
 
 const sequenceIds: ReadonlySet<number> = new Set(Object.values(sequences).map(({ id }) => id));
 const isSequenceTag = (id: number): boolean => sequenceIds.has(id);
+
+/**
+ * Whether what ends with a mark is packed bytes, as icons and private elements have them too: their items hold no elements.
+ * Source: PS3.5, A.4
+ */
+const isInFragments = ({ id, vr }: Header): boolean =>
+  vr !== 'SQ' && (vr === 'OB' || vr === 'OW' || pixelTags.has(id)) && !isSequenceTag(id);
 
 /** @returns where the next element begins */
 function readItems(
@@ -212,21 +223,35 @@ function readPixels(reading: Reading, { id, vr, length, start }: Header): PixelE
 
 /** The first item says where the frames begin, or is empty. Source: PS3.5, A.4 */
 function readFragments(reading: Reading, from: number): Pick<PixelElement, 'fragments' | 'offsets'> {
-  const { bytes, view, budget, what } = reading;
+  const { bytes, view } = reading;
   const fragments: Uint8Array<ArrayBuffer>[] = [];
   let offsets: number[] | null = null;
-  for (let at = from; at + 8 <= bytes.length;) {
-    budget.step(1, what);
-    const { id, length, start } = readMark(reading, at);
-    if (id === itemTags.sequenceEnd) break;
-    if (id !== itemTags.item)
-      throw corruptFile(what, `has damaged pixels: got the element ${nameId(id)} where one of their pieces begins`);
-    if (length > bytes.length - start) throw endsEarly(reading, id, length, bytes.length - start);
+  skipFragments(reading, from, bytes.length, (start, length) => {
     if (offsets) fragments.push(bytes.subarray(start, start + length));
     else offsets = Array.from({ length: length >> 2 }, (_, i) => view.getUint32(start + 4 * i, true));
+  });
+  return { fragments, offsets: offsets ?? [] };
+}
+
+/** @param onPiece - gets each one on the way @returns where the next element begins */
+function skipFragments(
+  reading: Reading,
+  from: number,
+  end: number,
+  onPiece?: (start: number, length: number) => void,
+): number {
+  const { budget, what } = reading;
+  for (let at = from; at + 8 <= end;) {
+    budget.step(1, what);
+    const { id, length, start } = readMark(reading, at);
+    if (id === itemTags.sequenceEnd) return start;
+    if (id !== itemTags.item)
+      throw corruptFile(what, `has damaged pixels: got the element ${nameId(id)} where one of their pieces begins`);
+    if (length > end - start) throw endsEarly(reading, id, length, end - start);
+    onPiece?.(start, length);
     at = start + length;
   }
-  return { fragments, offsets: offsets ?? [] };
+  return end;
 }
 
 function endsEarly({ what }: Reading, id: number, wanted: number, got: number): Error {

@@ -14,6 +14,20 @@ describe('unusual DICOM files are read', () => {
   /** In an item: an element with an implicit representation. */
   const inner = [0x11, 0, 0x10, 0x10, 2, 0, 0, 0, 0x41, 0x20];
   const unknown = Uint8Array.from([...item, ...inner, ...ends]);
+  /** A picture of JPEG, as far as its first marks, in pieces: the list of frames is empty. */
+  const packed = Uint8Array.from([
+    ...[0xfe, 0xff, 0, 0xe0, 0, 0, 0, 0],
+    ...[0xfe, 0xff, 0, 0xe0, 8, 0, 0, 0, 0xff, 0xd8, 0xff, 0xe0, 0, 0x10, 0x4a, 0x46],
+    ...[0xfe, 0xff, 0xdd, 0xe0, 0, 0, 0, 0],
+  ]);
+  const endless = 0xffffffff;
+  /** An icon: a picture in an item, of an explicit file. */
+  const icon = (vr: string): Uint8Array =>
+    Uint8Array.from([
+      ...item,
+      ...[0xe0, 0x7f, 0x10, 0, ...Array.from(vr, (c) => c.charCodeAt(0)), 0, 0, 0xff, 0xff, 0xff, 0xff, ...packed],
+      ...ends,
+    ]);
   for (const [what, form] of [
     ['without a preamble', { hasPreamble: false }],
     ['without a preamble, implicit', { hasPreamble: false, isImplicit: true }],
@@ -22,6 +36,10 @@ describe('unusual DICOM files are read', () => {
     ['with Rows of an unknown representation', { raw: [raw(0x00280010, 'UN', Uint8Array.of(3, 0))] }],
     ['with Rows as a text', { raw: [raw(0x00280010, 'IS', '3 ')] }],
     ['with private sequences of no length', { raw: [raw(0x00111000, 'UN', unknown, 0xffffffff)] }],
+    ['with a packed icon', { raw: [raw(0x00880200, 'SQ', icon('OB'), endless)] }],
+    ['with a packed icon of words', { raw: [raw(0x00880200, 'SQ', icon('OW'), endless)] }],
+    ['with a packed icon of an unknown representation', { raw: [raw(0x00880200, 'SQ', icon('UN'), endless)] }],
+    ['with packed private bytes', { raw: [raw(0x00111010, 'OB', packed, endless)] }],
     ['with private sequences that say their length', { raw: [raw(0x00111000, 'SQ', [{ SliceThickness: '1' }])] }],
     ['with sequences that have marks', { hasMarks: true, raw: [raw(0x00111000, 'SQ', [{ SliceThickness: '1' }, {}])] }],
     ['with 64-bit numbers', { raw: [raw(0x00111001, 'SV', new Uint8Array(8)), raw(0x7fe00001, 'OV', [0])] }],
@@ -60,6 +78,16 @@ describe('damaged DICOM files are refused in words', () => {
       {},
       { raw: [raw(0x00111000, 'OB', new Uint8Array(2), 0xfffffff0)] },
       ['(0011,1000)', '4,294,967,280'],
+    ],
+    [
+      'a packed private element whose piece goes beyond the end',
+      {},
+      {
+        raw: [
+          raw(0x00111010, 'OB', Uint8Array.of(0xfe, 0xff, 0, 0xe0, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xd8), 0xffffffff),
+        ],
+      },
+      ['ends early', '(fffe,e000)', '2,147,483,647'],
     ],
     ['a deep sequence', { MREchoSequence: nested(40) }, {}, ['more than 32 deep']],
     ['a deep sequence with marks', { MREchoSequence: nested(40) }, { hasMarks: true }, ['more than 32 deep']],
