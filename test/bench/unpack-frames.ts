@@ -23,4 +23,4 @@ export function listPacked(bytes: Uint8Array<ArrayBuffer>): {
 export const unpackOwn = (
   packed: Uint8Array,
   size: { readonly columns: number; readonly rows: number; readonly bitsAllocated: number },
-): Uint16Array => unpackJpeg(packed, size, 'the file');
+): Uint16Array => unpackJpeg(packed, size, 'the file').numbers;

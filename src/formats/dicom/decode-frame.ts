@@ -107,7 +107,7 @@ export function decodeFrame(
     const isRle = syntax.packing === 'RLE';
     if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
     else if (isRle) unpackRle(packed, bytes, samplesPerPixel(colors), what);
-    else if (libraries.j2k) bytes.set(unpackJ2k(packed, picture, libraries.j2k));
+    else if (libraries.j2k) bytes.set(unpackJ2k(packed, picture, libraries.j2k).numbers);
     const isRgb = syntax.packing === 'JPEG' ? unpackJpegColors(packed, picture, bytes, what) : null;
     // Runs are those of one colour after the other, and the unpacker puts the first one last.
     const written = isRgb === null ? colors : ({ kind: isRgb ? 'RGB' : 'YBR', isPlanar: false } as const);
@@ -116,13 +116,20 @@ export function decodeFrame(
     return gray;
   }
   const numbers = new arrayOf[type](bytes.buffer, 0, picture.rows * picture.columns);
+  let precision = 0;
   if (syntax.packing === 'none') copyNumbers(packed, bytes, picture);
   else if (syntax.packing === 'RLE') {
     unpackRle(packed, bytes, bitsAllocated / 8, what);
     if (!hostIsLittleEndian) swapBytes(bytes, bitsAllocated / 8);
-  } else if (libraries.j2k && isJ2k(picture)) numbers.set(unpackJ2k(packed, picture, libraries.j2k));
-  else numbers.set(unpackJpeg(packed, picture, what, libraries.ls));
-  if (isTrimmed(picture)) trimBits(numbers, numbers, picture);
+  } else {
+    const unpacked =
+      libraries.j2k && isJ2k(picture)
+        ? unpackJ2k(packed, picture, libraries.j2k)
+        : unpackJpeg(packed, picture, what, libraries.ls);
+    numbers.set(unpacked.numbers);
+    if (syntax.isLossy) precision = unpacked.precision;
+  }
+  if (isTrimmed(picture)) trimBits(numbers, numbers, picture, precision);
   if (colors) applyPalette({ gray: numbers, rgb }, colors);
   budget.giveBack(taken);
   return numbers;
@@ -217,8 +224,12 @@ const beginsPicture = (piece: Uint8Array): boolean =>
 const isTrimmed = ({ bitsAllocated, bitsStored, type }: Picture): boolean =>
   bitsStored < bitsAllocated && !type.startsWith('float');
 
-function trimBits(from: FrameNumbers, to: FrameNumbers, { bitsStored, shift, isSigned }: Picture): void {
-  const above = 32 - bitsStored - shift;
+/**
+ * @param precision - bits of an unpacked number whose packing is lossy: where it goes above the bits of the file, it is too large by an
+ * error of the packing, as next to metal, and without its highest bits it would be small. pydicom and GDCM keep it too.
+ */
+function trimBits(from: FrameNumbers, to: FrameNumbers, { bitsStored, shift, isSigned }: Picture, precision = 0): void {
+  const above = 32 - Math.max(bitsStored + shift, precision);
   for (let i = 0; i < from.length; i++) {
     const up = from[i] << above;
     to[i] = isSigned ? up >> (above + shift) : up >>> (above + shift);

@@ -167,7 +167,7 @@ export function withPixels(
     throw corruptFile(what, 'has no pixels any longer: it was changed while it was read. Choose the files again');
   // A server may say with the pixels how they are packed, on which the colours of a picture depend.
   const known = syntax.packing === picture.syntax.packing ? picture : readPicture({ set, pixels, syntax, file }, what)!;
-  const whole = { ...known, pixels, frames, url: null };
+  const whole = { ...known, syntax, pixels, frames, url: null };
   checkFrames(whole);
   return whole;
 }

@@ -12,6 +12,12 @@ interface J2kSize {
   readonly isSigned: boolean;
 }
 
+/** Unpacked numbers, and how many bits the stream has for each. */
+export interface Unpacked<Numbers> {
+  readonly numbers: Numbers;
+  readonly precision: number;
+}
+
 /**
  * Unpacks a frame of JPEG 2000 or HTJ2K.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, before the library takes memory
@@ -27,7 +33,7 @@ export function unpackJ2k(
     what,
   }: Pick<Picture, 'columns' | 'rows' | 'bitsAllocated' | 'isSigned' | 'colors' | 'what'>,
   unpack: UnpackJ2k,
-): ArrayLike<number> {
+): Unpacked<ArrayLike<number>> {
   const size = readSize(packed);
   const damaged = (): Error => corruptFile(what, 'has packed pixels (JPEG 2000) that are damaged; copy the file again');
   if (!size) throw damaged();
@@ -44,8 +50,11 @@ export function unpackJ2k(
   const { numbers } = picture;
   // Some programs pack signed numbers as if they had no sign.
   const above = 32 - size.precision;
-  if (isSigned && !size.isSigned && above > 0) return Int32Array.from(numbers, (number) => (number << above) >> above);
-  return numbers;
+  const signed = isSigned && !size.isSigned && above > 0;
+  return {
+    numbers: signed ? Int32Array.from(numbers, (number) => (number << above) >> above) : numbers,
+    precision: size.precision,
+  };
 }
 
 /** Reads the size before anything is unpacked. Source: ITU-T T.800, A.5.1 */

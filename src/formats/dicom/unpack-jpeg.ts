@@ -5,6 +5,7 @@ import { unpackLossless } from './jpeg-lossless.ts';
 import { unpackLs } from './jpeg-ls.ts';
 import { readJpegParts } from './jpeg-parts.ts';
 import type { JpegParts } from './jpeg-parts.ts';
+import type { Unpacked } from './unpack-j2k.ts';
 
 const unpackers = { DCT: unpackDct, lossless: unpackLossless, LS: unpackLs } as const;
 
@@ -25,7 +26,7 @@ export function unpackJpeg(
   size: FrameSize,
   what: string,
   charls: UnpackLs | null = null,
-): Uint16Array {
+): Unpacked<Uint16Array> {
   const parts = readFrameParts(packed, size, what);
   const { coding, components, precision } = parts;
   if (components.length !== 1)
@@ -35,7 +36,7 @@ export function unpackJpeg(
   if (unpacked?.length === numbers.length) numbers.set(unpacked);
   // What the library refuses, our own code unpacks, or says what is wrong with it.
   else unpackers[coding](parts, numbers);
-  return numbers;
+  return { numbers, precision };
 }
 
 /**
