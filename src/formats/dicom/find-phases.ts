@@ -1,6 +1,7 @@
 // Series in which each place was measured several times: phases of a heart, or a contrast agent on its way.
 import { timeText } from '../series/scan-times.ts';
 import type { Frame } from './frame.ts';
+import { lastTrait } from './traits.ts';
 
 /** Several times of a volume. */
 export interface Phases {
@@ -13,24 +14,51 @@ export interface Phases {
 /** The names of what differs between times, and how their numbers become seconds; null where they only count. */
 const timeTraits: ReadonlyMap<string, ((value: number) => number) | null> = new Map([
   ['trigger time', (milliseconds: number) => milliseconds / 1e3],
-  ['time of the acquisition', secondsOfDay],
+  ['time from the start', asTheyAre],
+  ['time of the acquisition', asTheyAre],
+  ['date and time of the acquisition', asTheyAre],
+  ['reference time', asTheyAre],
   ['position in time', null],
+  ['part of a heartbeat', null],
+  ['part of the scan', null],
+  ['share of a heartbeat', null],
+  ['share of a breath', null],
   ['number of the acquisition', null],
+  // Scanners count pictures in the order of time. When the content of a file was made is not always when it was measured.
+  [lastTrait, null],
+  ['time of the content', null],
 ]);
 
-/** A time of the day as DICOM writes it, 101530.25, which is read as a number. */
-function secondsOfDay(value: number): number {
-  return 3600 * Math.floor(value / 1e4) + 60 * (Math.floor(value / 100) % 100) + (value % 100);
+function asTheyAre(seconds: number): number {
+  return seconds;
 }
 
 /**
- * The frames of each time, where a trait of theirs is one of time.
+ * The frames of each time, where a trait of theirs is one of time. If several frames of a place have the same, another trait of time may differ:
+ * the number of the acquisition may change once, when a contrast agent is given.
  * @param places - of each place its frames
- * @returns null for other traits, and where places do not have as many frames of different times
+ * @param traits - in their order, that in which the frames differ first
+ * @returns null where the first is no time, and where places do not have as many frames of different times
  */
-export function findPhases(places: readonly (readonly Frame[])[], trait: string): Phases | null {
+export function findPhases(
+  places: readonly (readonly Frame[])[],
+  traits: readonly string[],
+): (Phases & { readonly trait: string }) | null {
+  const [first, ...others] = traits;
+  if (!timeTraits.has(first)) return null;
+  for (const trait of [first, ...others.filter((one) => timeTraits.has(one) && !isLastResort(one))]) {
+    const phases = divideByTime(places, trait);
+    if (phases) return { ...phases, trait };
+  }
+  return null;
+}
+
+/** What says no time by itself, and differs between all pictures: also between those that differ in something else. */
+const isLastResort = (trait: string): boolean => trait === lastTrait || trait === 'time of the content';
+
+function divideByTime(places: readonly (readonly Frame[])[], trait: string): Phases | null {
   const count = places[0].length;
-  if (!timeTraits.has(trait) || count < 2) return null;
+  if (count < 2) return null;
   const sorted: (readonly Frame[])[] = [];
   for (const at of places) {
     const values = new Set(at.map((frame) => numberOf(frame, trait)));

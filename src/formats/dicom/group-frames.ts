@@ -160,11 +160,14 @@ function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
   if (most === 1) return { frames: places.flat(), left: [] };
   const names: string[] = [];
   let phases: ChosenFrames['phases'];
-  for (const name of new Set(group.flatMap(({ traits }) => [...traits.keys()]))) {
+  const all = [...new Set(group.flatMap(({ traits }) => [...traits.keys()]))];
+  for (const [i, one] of all.entries()) {
     if (places.every((at) => at.length === 1)) break;
-    if (!places.some((at) => new Set(at.map(({ traits }) => traits.get(name))).size > 1)) continue;
-    const found = phases ? null : findPhases(places, name);
-    if (found) phases = { ...found, left: names.length > 0 ? [describeOne(most, names)] : [] };
+    if (!places.some((at) => new Set(at.map(({ traits }) => traits.get(one))).size > 1)) continue;
+    const found = phases ? null : findPhases(places, all.slice(i));
+    if (found)
+      phases = { frames: found.frames, times: found.times, left: names.length > 0 ? [describeOne(most, names)] : [] };
+    const name = found?.trait ?? one;
     names.push(name);
     places = takeByTrait(places, name);
   }

@@ -7,7 +7,8 @@ import type { Picture } from './picture.ts';
 import { findMosaic } from './siemens-mosaic.ts';
 import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
-import type { Tag } from './tags.ts';
+import { readTraits, readVectors } from './traits.ts';
+import type { Find, FrameVectors } from './traits.ts';
 import { readValueTable } from './value-table.ts';
 import { readWindows } from './windows.ts';
 
@@ -15,9 +16,10 @@ import { readWindows } from './windows.ts';
 export function listFrames(picture: Picture): Frame[] {
   const { set, frames, columns, rows } = picture;
   const offsets = set.numbers(tags.doseOffsets);
+  const vectors = readVectors(picture);
   const mosaic = findMosaic(picture);
   if (mosaic) {
-    const frame = describeFrame(picture, 0);
+    const frame = describeFrame(picture, 0, vectors);
     return mosaic.place(frame).map(({ corner, position }, i) => ({
       ...frame,
       ...mosaic.size,
@@ -27,12 +29,13 @@ export function listFrames(picture: Picture): Frame[] {
     }));
   }
   return Array.from({ length: frames }, (_, index) => {
-    const frame = describeFrame(picture, index);
+    const frame = describeFrame(picture, index, vectors);
     const size = { ...frame, columns, rows };
     if (frames === 1 || hasOwnPlaces(set) || !frame.position || !frame.plane) return size;
     // All frames have the place of the first one, and the file says how far the others are from it.
+    const slice = vectors.slices.length > 0 ? vectors.slices[index] - 1 : index;
     const along =
-      offsets.length >= frames ? offsets[index] - offsets[0] : index * (signedStep(set) ?? frame.step ?? NaN);
+      offsets.length >= frames ? offsets[index] - offsets[0] : slice * (signedStep(set) ?? frame.step ?? NaN);
     const position = Number.isFinite(along) ? add(frame.position, scale(frame.plane.normal, along)) : null;
     return { ...size, position };
   });
@@ -46,7 +49,7 @@ function hasOwnPlaces(set: DataSet): boolean {
 }
 
 /** Finds an element: among those of the frame, among those that all frames share, among those of the file. */
-function finder(set: DataSet, index: number): (group: Tag | null, tag: Tag) => DataSet {
+function finder(set: DataSet, index: number): Find {
   const own = set.items(sequences.frameGroups)[index] as DataSet | undefined;
   const shared = set.items(sequences.sharedGroups)[0] as DataSet | undefined;
   const detector = set.items(sequences.detector)[0] as DataSet | undefined;
@@ -59,7 +62,7 @@ function finder(set: DataSet, index: number): (group: Tag | null, tag: Tag) => D
   };
 }
 
-function describeFrame(picture: Picture, index: number): Frame {
+function describeFrame(picture: Picture, index: number, vectors: FrameVectors): Frame {
   const { set, columns, rows } = picture;
   const find = finder(set, index);
   const imageType = set.texts(tags.imageType);
@@ -80,7 +83,7 @@ function describeFrame(picture: Picture, index: number): Frame {
     step: readStep(find),
     order: [set.number(tags.sliceLocation) ?? 0, set.number(tags.instance) ?? 0, index],
     ...values,
-    traits: readTraits(find, imageType),
+    traits: readTraits(picture, index, find, vectors),
   };
 }
 
@@ -104,7 +107,7 @@ function readPlane(numbers: readonly number[]): Plane | null {
 }
 
 /** The file has the distance of rows first. */
-function readSpacing(find: ReturnType<typeof finder>): readonly [number, number] | null {
+function readSpacing(find: Find): readonly [number, number] | null {
   for (const tag of [tags.pixelSpacing, tags.imagerPixelSpacing]) {
     const [y, x = y] = find(sequences.pixelMeasures, tag).numbers(tag);
     if (x > 0 && y > 0 && Number.isFinite(x + y)) return [x, y];
@@ -112,7 +115,7 @@ function readSpacing(find: ReturnType<typeof finder>): readonly [number, number]
   return null;
 }
 
-function readStep(find: ReturnType<typeof finder>): number | null {
+function readStep(find: Find): number | null {
   for (const tag of [tags.spacingBetweenSlices, tags.sliceThickness]) {
     const step = Math.abs(find(sequences.pixelMeasures, tag).number(tag) ?? 0);
     if (step > 0) return step;
@@ -122,7 +125,7 @@ function readStep(find: ReturnType<typeof finder>): number | null {
 
 function readValues(
   picture: Picture,
-  find: ReturnType<typeof finder>,
+  find: Find,
   modality: string,
   imageType: readonly string[],
 ): Pick<Frame, 'table' | 'slope' | 'intercept' | 'unit' | 'windows'> {
@@ -176,31 +179,3 @@ function readUnit(set: DataSet, rescale: DataSet, modality: string, imageType: r
   if (modality === 'RTDOSE') return set.text(tags.doseUnits).toUpperCase() === 'GY' ? 'Gy' : '';
   return '';
 }
-
-function readTraits(
-  find: ReturnType<typeof finder>,
-  imageType: readonly string[],
-): ReadonlyMap<string, string | number> {
-  const traits = new Map<string, string | number>();
-  const frameType = [sequences.mrFrameType, sequences.ctFrameType, sequences.petFrameType]
-    .map((group) => find(group, tags.frameType).texts(tags.frameType))
-    .find(([first]) => first !== '');
-  traits.set('kind of picture', (frameType ?? imageType).slice(2).join(' '));
-  for (const [name, group, ...candidates] of traitTags) {
-    const value = candidates.map((tag) => find(group, tag).number(tag)).find((one) => one !== undefined);
-    if (value !== undefined) traits.set(name, value);
-  }
-  return traits;
-}
-
-/** Those that say more come first. */
-const traitTags: readonly (readonly [name: string, group: Tag | null, ...tags: Tag[]])[] = [
-  ['echo time', sequences.echo, tags.effectiveEchoTime, tags.echoTime],
-  ['echo number', null, tags.echoNumber],
-  ['b value of diffusion', sequences.diffusion, tags.bValue, tags.siemensBValue],
-  ['inversion time', null, tags.inversionTime],
-  ['position in time', sequences.frameContent, tags.temporalIndex, tags.temporalPosition],
-  ['trigger time', null, tags.triggerTime],
-  ['number of the acquisition', null, tags.acquisition],
-  ['time of the acquisition', null, tags.acquisitionTime],
-];

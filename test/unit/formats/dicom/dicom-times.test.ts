@@ -141,3 +141,165 @@ describe('a DICOM series of several times', () => {
     expect(left!.join()).to.contain('trigger time');
   });
 });
+
+/** One file of two times and three slices; the first number of a frame is 100 t + 10 k + 1. @param groupOf - what a frame says of itself */
+function enhanced(groupOf: (time: number, slice: number) => DicomFields): DicomFields {
+  const frames = [0, 1, 2].flatMap((k) => [1, 0].map((t) => ({ t, k })));
+  const numbers = frames.flatMap(({ t, k }) => Array.from({ length: 12 }, (_, i) => 100 * t + 10 * k + 1 + i));
+  return {
+    ...ctSlice(0, mr),
+    ImagePositionPatient: undefined,
+    NumberOfFrames: '6',
+    PixelData: new Uint8Array(Int16Array.from(numbers).buffer),
+    SharedFunctionalGroupsSequence: [
+      {
+        PlaneOrientationSequence: [{ ImageOrientationPatient: [1, 0, 0, 0, 1, 0] }],
+        PixelMeasuresSequence: [{ PixelSpacing: [1, 1] }],
+      },
+    ],
+    PerFrameFunctionalGroupsSequence: frames.map(({ t, k }) => ({
+      PlanePositionSequence: [{ ImagePositionPatient: [-1, -2, 5 * k] }],
+      ...groupOf(t, k),
+    })),
+  };
+}
+
+describe('times of DICOM frames that say them in another way', () => {
+  const content = (fields: DicomFields): DicomFields => ({ FrameContentSequence: [fields] });
+  for (const [what, groupOf, times] of [
+    [
+      'how long after a heartbeat each was measured',
+      (t) => ({ CardiacSynchronizationSequence: [{ NominalCardiacTriggerDelayTime: [40 * t] }] }),
+      ['0 s', '0.04 s'],
+    ],
+    [
+      'how long after the start each was measured',
+      (t) => ({ TemporalPositionSequence: [{ TemporalPositionTimeOffset: [2.5 * t] }] }),
+      ['0 s', '2.5 s'],
+    ],
+    [
+      'which share of a heartbeat each is',
+      (t) => ({ CardiacSynchronizationSequence: [{ NominalPercentageOfCardiacPhase: [50 * t] }] }),
+      [null, null],
+    ],
+    [
+      'date and time, over midnight',
+      (t) => content({ FrameAcquisitionDateTime: ['20200131235958.5', '20200201000001+0100'][t] }),
+      ['0 s', '2.5 s'],
+    ],
+    ['the number of the acquisition', (t) => content({ FrameAcquisitionNumber: [t + 1] }), [null, null]],
+  ] as const satisfies readonly (readonly [string, (t: number) => DicomFields, readonly (string | null)[]])[])
+    it(`of one file: ${what}`, async () => {
+      await expectTimes([enhanced(groupOf)], times);
+    });
+
+  for (const [what, fieldsOf, times] of [
+    ['date and time', (t) => ({ AcquisitionDateTime: `2020010112000${t}.5` }), ['0 s', '1 s']],
+    ['the time of a frame of PET', (t) => ({ FrameReferenceTime: String(30_000 + 60_000 * t) }), ['0 s', '60 s']],
+    ['which share of a heartbeat each is', (t) => ({ NominalPercentageOfCardiacPhase: [50 * t] }), [null, null]],
+    ['when the content was made', (t, k) => ({ ContentTime: `1200${t}${k}.5` }), [null, null]],
+    ['nothing but their numbers', (t, k) => ({ InstanceNumber: String(1 + 3 * t + k) }), [null, null]],
+    [
+      'dates and times, over midnight',
+      (t) => ({ AcquisitionDate: `2020013${t}`, AcquisitionTime: ['235959', '000001'][t] }),
+      ['0 s', '2 s'],
+    ],
+  ] as const satisfies readonly (readonly [
+    string,
+    (t: number, k: number) => DicomFields,
+    readonly (string | null)[],
+  ])[])
+    it(`of several files: ${what}`, async () => {
+      await expectTimes(series(2, fieldsOf), times);
+    });
+
+  it('are those of the trait in which all differ, where another one changes once', async () => {
+    // As of a contrast agent, which is given after the first acquisition.
+    const fieldsOf = (t: number): DicomFields => ({
+      AcquisitionNumber: t > 0 ? '2' : '1',
+      AcquisitionTime: `12000${t}`,
+    });
+    const { first } = await expectTimes(series(3, fieldsOf), ['0 s', '1 s', '2 s']);
+    expect(first.left).to.equal(undefined);
+  });
+
+  it('are none where places have one slice each, whose times differ', async () => {
+    const files = series(1, (_t, k) => ({
+      AcquisitionTime: `12000${k}`,
+      ContentTime: `12010${k}`,
+      InstanceNumber: String(k + 1),
+    }));
+    const { times, first } = await open(files);
+    expect([times, first.left]).to.deep.equal([[], undefined]);
+  });
+
+  it('are none of copies of one file', async () => {
+    const files = series(2, () => ({ InstanceNumber: '1' }));
+    const { times, first } = await open(files);
+    expect(times).to.deep.equal([]);
+    expect(first.left).to.deep.equal([
+      'pictures at the place of another one, from which they do not differ by what they say',
+    ]);
+  });
+
+  it('are none of magnitude and phase, of which the magnitude is shown', async () => {
+    const { times, first } = await open([
+      enhanced((t) => ({ MRImageFrameTypeSequence: [{ ComplexImageComponent: ['MAGNITUDE', 'PHASE'][t] }] })),
+    ]);
+    expect(times).to.deep.equal([]);
+    expect(valuesOf(first).filter((_, i) => i % 12 === 0)).to.deep.equal([1, 11, 21]);
+    expect(first.left!.join()).to.contain('differ in: part of complex numbers');
+  });
+});
+
+describe('times of a gated SPECT', () => {
+  /** Two times of three slices, whose first numbers are 100 t + 10 k + 1. */
+  const gated = (fields: DicomFields): DicomFields => {
+    const numbers = [0, 1].flatMap((t) =>
+      [0, 1, 2].flatMap((k) => Array.from({ length: 12 }, (_, i) => 100 * t + 10 * k + 1 + i)),
+    );
+    return {
+      ...ctSlice(0, { ...mr, Modality: 'NM' }),
+      ImageType: 'ORIGINAL\\PRIMARY\\RECON GATED TOMO\\EMISSION',
+      ImagePositionPatient: undefined,
+      ImageOrientationPatient: undefined,
+      NumberOfFrames: '6',
+      SpacingBetweenSlices: [5],
+      DetectorInformationSequence: [
+        { ImagePositionPatient: [-10, -20, 0], ImageOrientationPatient: [1, 0, 0, 0, 1, 0] },
+      ],
+      SliceVector: [1, 2, 3, 1, 2, 3],
+      PixelData: new Uint8Array(Int16Array.from(numbers).buffer),
+      ...fields,
+    };
+  };
+  const read = async (fields: DicomFields): Promise<number[][]> => {
+    const opened = await open([gated(fields)]);
+    expect(opened.times).to.deep.equal([null, null]);
+    expect(opened.first.grid.dimensions).to.deep.equal([4, 3, 3]);
+    const both = [await opened.read(0), await opened.read(1)];
+    return both.map((volume) => valuesOf(volume).filter((_, i) => i % 12 === 0));
+  };
+
+  it('are the parts of a heartbeat, each with all slices', async () => {
+    const expected = [
+      [1, 11, 21],
+      [101, 111, 121],
+    ];
+    expect(await read({ TimeSlotVector: [1, 1, 1, 2, 2, 2] })).to.deep.equal(expected);
+    expect(await read({ TimeSliceVector: [1, 1, 1, 2, 2, 2] })).to.deep.equal(expected);
+    expect(await read({ TimeSlotVector: [2, 2, 2, 1, 1, 1] })).to.deep.equal([expected[1], expected[0]]);
+  });
+
+  it('are the frames in their order where the file says no more than their slices', async () => {
+    expect(await read({ SliceVector: [3, 2, 1, 1, 2, 3] })).to.deep.equal([
+      [21, 11, 1],
+      [101, 111, 121],
+    ]);
+  });
+
+  it('are none where the list of slices is of another length: then each frame is a slice', async () => {
+    const { times, first } = await open([gated({ SliceVector: [1, 2, 3] })]);
+    expect([times, first.grid.dimensions]).to.deep.equal([[], [4, 3, 6]]);
+  });
+});

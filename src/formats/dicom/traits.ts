@@ -1,0 +1,100 @@
+// What may differ between pictures of one place, such as the time when each was measured.
+import type { DataSet } from './data-set.ts';
+import type { Picture } from './picture.ts';
+import { sequences, tags } from './tags.ts';
+import type { Tag } from './tags.ts';
+
+/** Finds where an element of a frame is, perhaps in an item of a sequence. */
+export type Find = (group: Tag | null, tag: Tag) => DataSet;
+
+export type Traits = ReadonlyMap<string, string | number>;
+
+/** Nuclear medicine says of each frame of a file what it is, by lists of numbers. Source: PS3.3, C.8.4.8 */
+export interface FrameVectors {
+  /** Which slice each frame is, from 1; none where the file does not say it. */
+  readonly slices: readonly number[];
+  readonly others: readonly (readonly [name: string, numbers: readonly number[]])[];
+}
+
+export function readVectors({ set, frames }: Pick<Picture, 'set' | 'frames'>): FrameVectors {
+  const read = (tag: Tag): number[] => {
+    const numbers = frames > 1 ? set.numbers(tag, frames) : [];
+    return numbers.length === frames ? numbers : [];
+  };
+  return {
+    slices: read(tags.sliceVector),
+    others: vectorTags.map(([name, tag]) => [name, read(tag)] as const).filter(([, numbers]) => numbers.length > 0),
+  };
+}
+
+/** @param index - of the frame, from 0 */
+export function readTraits({ set, frames }: Picture, index: number, find: Find, vectors: FrameVectors): Traits {
+  const traits = new Map<string, string | number>();
+  const add = (name: string, value: number | undefined): void => {
+    if (value !== undefined) traits.set(name, value);
+  };
+  const frameType = [sequences.mrFrameType, sequences.ctFrameType, sequences.petFrameType]
+    .map((group) => find(group, tags.frameType).texts(tags.frameType))
+    .find(([first]) => first !== '');
+  traits.set('kind of picture', (frameType ?? set.texts(tags.imageType)).slice(2).join(' '));
+  const complexPart = find(sequences.mrFrameType, tags.complexPart).text(tags.complexPart);
+  if (complexPart !== '') traits.set('part of complex numbers', complexPart);
+  for (const [name, numbers] of vectors.others) add(name, numbers[index]);
+  for (const [name, group, ...candidates] of traitTags) {
+    add(
+      name,
+      candidates.map((tag) => find(group, tag).number(tag)).find((one) => one !== undefined),
+    );
+  }
+  add('time of the acquisition', secondsOf(set.text(tags.acquisitionDate), set.text(tags.acquisitionTime)));
+  const dateTime = (tag: Tag): number | undefined => {
+    const text = find(sequences.frameContent, tag).text(tag);
+    return secondsOf(text.slice(0, 8), text.slice(8));
+  };
+  add('date and time of the acquisition', dateTime(tags.frameDateTime) ?? dateTime(tags.acquisitionDateTime));
+  const milliseconds = set.number(tags.frameReferenceTime);
+  add('reference time', dateTime(tags.referenceDateTime) ?? (milliseconds && milliseconds / 1e3));
+  const instance = set.number(tags.instance);
+  if (frames > 1 || instance !== undefined) traits.set(lastTrait, (instance ?? 0) * 2 ** 16 + index);
+  add('time of the content', secondsOf(set.text(tags.contentDate), set.text(tags.contentTime)));
+  return traits;
+}
+
+/** In what pictures differ that say nothing else: the order in which the scanner counts them. */
+export const lastTrait = 'number of the picture';
+
+/** Those that are no time come first. */
+const vectorTags: readonly (readonly [name: string, tag: Tag])[] = [
+  ['window of energy', tags.energyWindowVector],
+  ['detector', tags.detectorVector],
+  ['interval between heartbeats', tags.intervalVector],
+  ['part of a heartbeat', tags.timeSlotVector],
+  ['phase', tags.phaseVector],
+  ['part of the scan', tags.timeSliceVector],
+];
+
+/** Those that are no time come first, then those that say more of it. */
+const traitTags: readonly (readonly [name: string, group: Tag | null, ...tags: Tag[]])[] = [
+  ['echo time', sequences.echo, tags.effectiveEchoTime, tags.echoTime],
+  ['echo number', null, tags.echoNumber],
+  ['b value of diffusion', sequences.diffusion, tags.bValue, tags.siemensBValue],
+  ['inversion time', null, tags.inversionTime],
+  ['position in time', sequences.frameContent, tags.temporalIndex, tags.temporalPosition],
+  ['time from the start', sequences.temporalPosition, tags.timeOffset],
+  ['trigger time', sequences.heart, tags.triggerDelay, tags.triggerTime],
+  ['share of a heartbeat', sequences.heart, tags.heartPhase],
+  ['share of a breath', sequences.breath, tags.breathPhase],
+  ['number of the acquisition', sequences.frameContent, tags.frameAcquisition, tags.acquisition],
+];
+
+/**
+ * Seconds of a time of the day, on its day where the file says it; undefined where it says no time.
+ * @param date - such as 20240131 @param time - such as 142530.25
+ */
+function secondsOf(date: string, time: string): number | undefined {
+  const clock = /^(\d\d):?(\d\d):?(\d\d(?:\.\d+)?)?/.exec(time);
+  if (!clock) return undefined;
+  const day = /^(\d{4})(\d\d)(\d\d)$/.exec(date);
+  const start = day ? Date.UTC(Number(day[1]), Number(day[2]) - 1, Number(day[3])) / 1e3 : 0;
+  return start + 3600 * Number(clock[1]) + 60 * Number(clock[2]) + Number(clock[3] ?? 0);
+}
