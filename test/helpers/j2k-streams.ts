@@ -163,4 +163,20 @@ export const j2kStreams: readonly J2kStream[] = [
       4900, 6100, 11200, 13200, 12700, 16300, 20300, 22200, 24000, 26000,
     ],
   },
+  {
+    // pydicom 3.0.2 reads the same numbers of a file with this stream.
+    name: 'JPEG 2000 of 8 bits with a sign, lossless',
+    by: 'OpenJPEG 2.5.4',
+    bits: 8,
+    isSigned: true,
+    isHt: false,
+    stream:
+      '/0//UQApAAAAAAAKAAAACQAAAAAAAAAAAAAACgAAAAkAAAAAAAAAAAABhwEB/1IADAAAAAEAAAQEAAH/XAAEQED/ZAAlAAFDcmVhdGVkIGJ5IE9wZW5KUEVHIHZlcnNpb24gMi41LjT/kAAKAAAAAABrAAH/k9+C0BIz2/tOcPi60JtTz38DDcaXH2fEVE6tt+W+FYofXU51Rm+gxr2vOu3rQjoHSJUW7p8BaELmNqUQxbXg6lWDTPmXsKX5+9q4VrQbEDykHJfg5eXwzphsLG1ot//Z',
+    values: [
+      -128, -91, -54, -17, 20, 57, 94, -125, -88, -51, -14, 23, 60, 97, -122, -85, -48, -11, 26, 63, 100, -119, -82,
+      -45, -8, 29, 66, 103, -116, -79, -42, -5, 32, 69, 106, -113, -76, -39, -2, 35, 72, 109, -110, -73, -36, 1, 38, 75,
+      112, -107, -70, -33, 4, 41, 78, 115, -104, -67, -30, 7, 44, 81, 118, -101, -64, -27, 10, 47, 84, 121, -98, -61,
+      -24, 13, 50, 87, 124, -95, -58, -21, 16, 53, 90, 127, -92, -55, -18, 19, 56, 93,
+    ],
+  },
 ];

@@ -1,4 +1,5 @@
 import { corruptFile } from '../base/file-problem.ts';
+import { findJ2kStart } from '../codecs/j2k-start.ts';
 import type { UnpackJ2k } from '../codecs/openjpeg.ts';
 import { samplesPerPixel } from './colors.ts';
 import type { Picture } from './picture.ts';
@@ -59,7 +60,7 @@ export function unpackJ2k(
 
 /** Reads the size before anything is unpacked. Source: ITU-T T.800, A.5.1 */
 function readSize(bytes: Uint8Array): J2kSize | null {
-  const start = findStart(bytes);
+  const start = findJ2kStart(bytes);
   if (start < 0 || start + 45 > bytes.length) return null;
   const view = new DataView(bytes.buffer, bytes.byteOffset + start, bytes.byteLength - start);
   const [right, bottom, left, top] = [8, 12, 16, 20].map((at) => view.getUint32(at));
@@ -71,11 +72,4 @@ function readSize(bytes: Uint8Array): J2kSize | null {
     precision: (depth & 0x7f) + 1,
     isSigned: depth >= 0x80,
   };
-}
-
-/** Where the stream begins: at once, or in boxes of a JP2 file, which some programs write. */
-function findStart(bytes: Uint8Array): number {
-  for (let at = 0; at + 4 <= Math.min(bytes.length, 4096); at++)
-    if (bytes[at] === 0xff && bytes[at + 1] === 0x4f && bytes[at + 2] === 0xff && bytes[at + 3] === 0x51) return at;
-  return -1;
 }
