@@ -24,6 +24,10 @@ export interface Frame {
   readonly spacing: readonly [number, number] | null;
   /** To the next slice, as the file says; null where it does not. */
   readonly step: number | null;
+  /** How thick the slice is in mm, as the file says; null where it does not. */
+  readonly thickness: number | null;
+  /** Which of several stacks of a file it belongs to; '' where the file does not say it. */
+  readonly stack: string;
   /** In what order slices come that have no place. */
   readonly order: readonly number[];
   /** Turns stored numbers into others first; null where they are what they are. */

@@ -1,6 +1,6 @@
 // Which frames make the volume: those of one series, orientation, pixel spacing and size, one at each place.
 import { invalidAttribute } from '../../core/errors.ts';
-import { dot } from '../../volume/matrix.ts';
+import { dot, length, subtract } from '../../volume/matrix.ts';
 import type { Budget } from '../base/budget.ts';
 import { findPhases } from './find-phases.ts';
 import type { Phases } from './find-phases.ts';
@@ -17,6 +17,8 @@ export interface ChosenFrames {
 
 const sameDirection = 1 - 1e-5; // Cosine of a quarter of a degree.
 const sameSpacing = 1e-3; // Share of the spacing.
+/** Steps from slice to slice differ by less than this share of their length. */
+const sameStep = 0.1;
 /** Places closer together than this share of a pixel are one. */
 const samePlace = 0.01;
 
@@ -129,7 +131,37 @@ function groupFrames(all: readonly Frame[], budget: Budget): Frame[][] {
     alike.push(group);
     groups.push(group);
   }
-  return groups;
+  return groups.flatMap(divideStacks);
+}
+
+/**
+ * A file may have several stacks of one orientation, such as those of several discs of a spine. Where stacks share places, or have a frame
+ * each, they are none: programs count other things by them. Those that continue each other, as slabs do, are one volume.
+ */
+function divideStacks(group: Frame[]): Frame[][] {
+  const stacks = new Map<string, Frame[]>();
+  for (const frame of group) {
+    const known = stacks.get(frame.stack);
+    if (known) known.push(frame);
+    else stacks.set(frame.stack, [frame]);
+  }
+  if (stacks.size === 1) return [group];
+  const all = [...stacks.values()];
+  const placesOf = (frames: readonly Frame[]): Set<string> =>
+    new Set(frames.map(({ position }) => (position ?? []).map((at) => at.toFixed(2)).join()));
+  const places = all.map(placesOf);
+  const distinct = new Set(places.flatMap((some) => [...some])).size;
+  const areApart = distinct === places.reduce((sum, { size }) => sum + size, 0);
+  return areApart && places.every(({ size }) => size > 1) && !areOneRow(group) ? all : [group];
+}
+
+/** Whether all frames lie in one row, as far apart from each other. */
+function areOneRow(group: readonly Frame[]): boolean {
+  const [first] = group;
+  if (group.some((frame) => placeAlong(frame, first) === null)) return true;
+  const positions = findPlaces(group).map(([{ position }]) => position!);
+  const steps = positions.slice(1).map((position, i) => subtract(position, positions[i]));
+  return steps.every((step) => length(subtract(step, steps[0])) <= sameStep * length(steps[0]));
 }
 
 function isAlike(a: Frame, b: Frame): boolean {
@@ -143,7 +175,7 @@ function arePlanesAlike(a: Plane | null, b: Plane | null): boolean {
 
 function areSpacingsAlike(a: Frame['spacing'], b: Frame['spacing']): boolean {
   if (!a || !b) return a === b;
-  return a.every((length, axis) => Math.abs(length - b[axis]) <= sameSpacing * length);
+  return a.every((size, axis) => Math.abs(size - b[axis]) <= sameSpacing * size);
 }
 
 /** Where a frame lies along the normal of the first one, in mm; null where its place is not known. */

@@ -81,6 +81,8 @@ function describeFrame(picture: Picture, index: number, vectors: FrameVectors): 
     plane: readPlane(find(sequences.planeOrientation, tags.orientation).numbers(tags.orientation)),
     spacing: readSpacing(find),
     step: readStep(find),
+    thickness: Math.abs(find(sequences.pixelMeasures, tags.sliceThickness).number(tags.sliceThickness) ?? 0) || null,
+    stack: find(sequences.frameContent, tags.stack).text(tags.stack),
     order: [set.number(tags.sliceLocation) ?? 0, set.number(tags.instance) ?? 0, index],
     ...values,
     traits: readTraits(picture, index, find, vectors),

@@ -24,6 +24,9 @@ export interface Stack {
  */
 const even = 0.02;
 
+/** Distances up to so many times the thickness of a slice leave nothing out: files round both. */
+const thicker = 1.1;
+
 /** At most so many times as many slices as there are, and a few more, may be missing. */
 const maxMissing = { times: 3, more: 16 };
 
@@ -54,7 +57,7 @@ export function stackFrames(frames: readonly Frame[]): Stack {
   }
   const lead = subtract(frames[count - 1].position!, position);
   const indices = findIndices(places);
-  if (indices) {
+  if (indices && !areGapsCovered(frames, places, indices)) {
     const total = indices[count - 1] + 1;
     if (total > (1 + maxMissing.times) * count + maxMissing.more)
       throw corruptFile(
@@ -149,6 +152,23 @@ function findIndices(places: readonly number[]): readonly number[] | null {
     if (isEven) return indices;
   }
   return null;
+}
+
+/**
+ * Whether nothing is missing where slices lie further apart than others, as these are thicker: heads are scanned in 5 mm, and
+ * above in 10 mm. Where all are equally thick, as of a scan with overlaps, a slice is missing.
+ */
+function areGapsCovered(frames: readonly Frame[], places: readonly number[], indices: readonly number[]): boolean {
+  const thick = frames.map(({ thickness }) => thickness ?? 0);
+  const usual = thicker * Math.min(...thick);
+  const gaps = indices.flatMap((index, i) => (i > 0 && index - indices[i - 1] > 1 ? [i] : []));
+  return (
+    gaps.length > 0 &&
+    gaps.every((i) => {
+      const covered = Math.max(thick[i - 1], thick[i]);
+      return covered > usual && places[i] - places[i - 1] <= thicker * covered;
+    })
+  );
 }
 
 /** For each slice of an even stack, its place among uneven ones: 1.25 lies after a quarter of the way from the second to the third. */

@@ -71,6 +71,59 @@ describe('slices of DICOM', () => {
     expect(volume.left?.join()).to.contain('2 to 5 mm apart').and.to.contain('6 slices');
   });
 
+  it('that are thicker where they lie further apart are no gaps', async () => {
+    const files = (thickness: readonly number[]) =>
+      [0, 5, 10, 20, 30].map((z, k) => slice(k, z, { SliceThickness: [thickness[k]] }));
+    const volume = await decodeFields(files([5, 5, 5, 10, 10]));
+    expect(volume.grid.spacing[2]).to.equal(5);
+    firstOfSlices(volume).forEach((value, k) =>
+      expect(value, `slice ${k}`).to.be.closeTo([0, 100, 200, 250, 300, 350, 400][k], 1e-3),
+    );
+    expect(volume.left).to.deep.equal([
+      'the slices are 5 to 10 mm apart: values are computed between them (linearly) for 7 slices 5 mm apart',
+    ]);
+    // Of slices that are too thin, and of those of a scan with overlaps, some are missing.
+    for (const thickness of [[5, 5, 5, 8, 8], Array<number>(5).fill(10)]) {
+      const gaps = await decodeFields(files(thickness));
+      expect(firstOfSlices(gaps)).to.deep.equal([0, 100, 200, NaN, 300, NaN, 400]);
+      expect(gaps.left!.join()).to.contain('2 of 7 slices are missing');
+    }
+  });
+
+  describe('of several stacks in one file', () => {
+    /** @param frames - of each the name of its stack and its place */
+    const file = (frames: readonly (readonly [stack: string, position: readonly number[]])[]): DicomFields => ({
+      ...slice(0, 0),
+      ImagePositionPatient: undefined,
+      ImageOrientationPatient: undefined,
+      NumberOfFrames: String(frames.length),
+      PixelData: new Uint8Array(new Uint16Array(12 * frames.length).buffer),
+      SharedFunctionalGroupsSequence: [{ PlaneOrientationSequence: [{ ImageOrientationPatient: [1, 0, 0, 0, 1, 0] }] }],
+      PerFrameFunctionalGroupsSequence: frames.map(([stack, position]) => ({
+        FrameContentSequence: [{ StackID: stack }],
+        PlanePositionSequence: [{ ImagePositionPatient: position }],
+      })),
+    });
+    const depthOf = async (...frames: Parameters<typeof file>[0]) => {
+      const { grid, left } = await decodeFields([file(frames)]);
+      return [grid.dimensions[2], left?.join().slice(0, 14)];
+    };
+
+    it('are volumes of their own where they lie apart', async () => {
+      expect(
+        await depthOf(['1', [0, 0, 0]], ['1', [0, 0, 3]], ['1', [0, 0, 6]], ['2', [50, 0, 1]], ['2', [50, 0, 8]]),
+      ).to.deep.equal([3, 'another series']);
+    });
+
+    it('are one volume where they continue each other, or have a frame each', async () => {
+      for (const names of ['1122', '1234', '1212'])
+        expect(await depthOf(...Array.from(names, (name, k) => [name, [0, 0, 3 * k]] as const)), names).to.deep.equal([
+          4,
+          undefined,
+        ]);
+    });
+  });
+
   it('far from each other are refused in words', async () => {
     const error = await expectError(decodeFields([0, 5, 1e7].map((z, k) => slice(k, z))));
     expect(error.code).to.equal('format/corrupt');
