@@ -4,6 +4,7 @@ import type { Vector3 } from '../../volume/matrix.ts';
 import type { DataSet } from './data-set.ts';
 import type { Frame, Plane } from './frame.ts';
 import type { Picture } from './picture.ts';
+import { findRealWorld } from './real-world.ts';
 import { findMosaic } from './siemens-mosaic.ts';
 import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
@@ -66,8 +67,7 @@ function describeFrame(picture: Picture, index: number, vectors: FrameVectors): 
   const { set, columns, rows } = picture;
   const find = finder(set, index);
   const imageType = set.texts(tags.imageType);
-  const modality = set.text(tags.modality).toUpperCase();
-  const values = readValues(picture, find, modality, imageType);
+  const values = readValues(picture, index, find);
   return {
     picture,
     index,
@@ -127,25 +127,32 @@ function readStep(find: Find): number | null {
 
 function readValues(
   picture: Picture,
+  index: number,
   find: Find,
-  modality: string,
-  imageType: readonly string[],
 ): Pick<Frame, 'table' | 'slope' | 'intercept' | 'unit' | 'windows'> {
   const { set, isInverted, isSigned, bitsStored, colors } = picture;
   if (colors) return { table: null, slope: 1, intercept: 0, unit: '', windows: () => ({ windows: [], left: [] }) };
+  const modality = set.text(tags.modality).toUpperCase();
   const rescale = find(sequences.pixelTransformation, tags.slope);
   const table = readValueTable(picture);
+  const isRescaled = table !== null || rescale.has(tags.slope) || set.has(tags.doseScaling);
+  const real = isRescaled ? null : findRealWorld(picture, index);
   // The table is in place of slope and intercept, also where a file has both.
-  const stated = table ? (table.type === 'HU' ? 'HU' : '') : readUnit(set, rescale, modality, imageType);
+  const stated = table
+    ? table.type === 'HU'
+      ? 'HU'
+      : ''
+    : readUnit(set, rescale, modality, set.texts(tags.imageType)) || (real?.unit ?? '');
   const suv = modality === 'PT' && stated === 'Bq/ml' ? findSuvFactor(set) : null;
   const [unit, factor] = suv ? ['SUV', suv] : [stated, 1];
   const slope = table
     ? 1
-    : factor * ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : rescale.number(tags.slope)) || 1);
-  const intercept = table ? 0 : factor * (rescale.number(tags.intercept) ?? 0);
+    : factor *
+      ((modality === 'RTDOSE' ? set.number(tags.doseScaling) : (real?.slope ?? rescale.number(tags.slope))) || 1);
+  const intercept = table ? 0 : factor * (real?.intercept ?? rescale.number(tags.intercept) ?? 0);
   const windowsOf = (mirror: number | null): Frame['windows'] => {
-    const isNegative = table === null && (isSigned || intercept < 0);
-    return () => readWindows(find(sequences.frameWindow, tags.windowCenter), set, { factor, mirror, isNegative });
+    const isNegative = table === null && (isSigned || (intercept < 0 && !real));
+    return () => readWindows(find(sequences.frameWindow, tags.windowCenter), set, { factor, mirror, isNegative, real });
   };
   // Where values have a unit, white for the smallest one is only a way to show them.
   if (!isInverted || unit !== '') return { table, slope, intercept, unit, windows: windowsOf(null) };

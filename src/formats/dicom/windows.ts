@@ -1,6 +1,7 @@
 // The windows that a file has for its values: from black to white.
 import type { ValueWindow } from '../../volume/volume.ts';
 import type { DataSet } from './data-set.ts';
+import type { RealWorld } from './real-world.ts';
 import { sequences, tags } from './tags.ts';
 
 export interface FileWindows {
@@ -14,6 +15,8 @@ export interface FileWindows {
 export interface WindowScale {
   readonly factor: number;
   readonly mirror: number | null;
+  /** How stored numbers, which the window is for, become values; null where the window is for values. */
+  readonly real: Pick<RealWorld, 'slope' | 'intercept'> | null;
   /** Whether values may be below 0. */
   readonly isNegative: boolean;
 }
@@ -130,12 +133,15 @@ function spanOf(table: DataSet, isNegative: boolean): Ends {
   return { from, to, width: to - from, level: (from + to) / 2 };
 }
 
-function scaleWindow({ from, to, width, level }: Ends, { factor, mirror }: WindowScale): Ends {
-  const scaled = [from, to, level].map((value) => (mirror === null ? factor * value : mirror - factor * value));
+function scaleWindow({ from, to, width, level }: Ends, { factor, mirror, real }: WindowScale): Ends {
+  const { slope, intercept } = real ?? { slope: 1, intercept: 0 };
+  const scaled = [from, to, level]
+    .map((number) => factor * (slope * number + intercept))
+    .map((value) => (mirror === null ? value : mirror - value));
   return {
     from: Math.min(scaled[0], scaled[1]),
     to: Math.max(scaled[0], scaled[1]),
-    width: factor * width,
+    width: factor * Math.abs(slope) * width,
     level: scaled[2],
   };
 }
