@@ -66,11 +66,16 @@ export function fillHalo(sources: HaloSources, brick: BrickWithHalo): boolean {
   for (const way of waysToNeighbours) {
     const neighbour = neighbourOf(sources.layout, brick, way);
     const found = sources.find(neighbour);
-    const [[i0, i1], [j0, j1], [k0, k1]] = way.map(slotRange);
+    const ranges = way.map(slotRange);
+    if (found) {
+      if (copyVoxels(found, samples, axes, ranges)) isChanged = true;
+      continue;
+    }
+    const [[i0, i1], [j0, j1], [k0, k1]] = ranges;
     for (slot[2] = k0; slot[2] < k1; slot[2]++)
       for (slot[1] = j0; slot[1] < j1; slot[1]++)
         for (slot[0] = i0; slot[0] < i1; slot[0]++) {
-          const value = found ? voxelOf(found, axes, slot) : shownAt(slot);
+          const value = shownAt(slot);
           const stored = isWhole ? Math.round(value) : Math.fround(value);
           const at = slot[0] + slotSide * (slot[1] + slotSide * slot[2]);
           if (Object.is(samples[at], stored)) continue;
@@ -81,8 +86,37 @@ export function fillHalo(sources: HaloSources, brick: BrickWithHalo): boolean {
   return isChanged;
 }
 
-/** Numbers in the slot, without the last one. */
-function slotRange(way: number): readonly [number, number] {
+/**
+ * Copies voxels of a brick of the same level.
+ * @param ranges - of the slot that is written
+ * @returns whether any of them was another one
+ */
+function copyVoxels(
+  { at: [bi, bj, bk], samples: from }: BrickWithHalo,
+  samples: Samples,
+  [x, y, z]: readonly AxisPlaces[],
+  [[i0, i1], [j0, j1], [k0, k1]]: readonly SlotRange[],
+): boolean {
+  // Where the first voxel of the level would lie, if all of it were in that brick.
+  const [di, dj, dk] = [bi, bj, bk].map((n) => brickHalo - brickSide * n);
+  let isChanged = false;
+  for (let k = k0; k < k1; k++)
+    for (let j = j0; j < j1; j++) {
+      const row = di + slotSide * (y.voxels[j] + dj + slotSide * (z.voxels[k] + dk));
+      for (let i = i0, to = i0 + slotSide * (j + slotSide * k); i < i1; i++, to++) {
+        const value = from[row + x.voxels[i]];
+        if (Object.is(samples[to], value)) continue;
+        samples[to] = value;
+        isChanged = true;
+      }
+    }
+  return isChanged;
+}
+
+/** Numbers along an axis of a slot, without the last one. */
+type SlotRange = readonly [first: number, end: number];
+
+function slotRange(way: number): SlotRange {
   if (way === 0) return [brickHalo, brickHalo + brickSide];
   return way < 0 ? [0, brickHalo] : [brickHalo + brickSide, slotSide];
 }
@@ -107,14 +141,6 @@ function placesAlong({ layout, volume }: HaloSources, { level, at }: Brick, axis
   return { voxels, cells, places };
 }
 
-/** The voxel of a brick of the same level at a place in the slot. */
-function voxelOf({ at, samples }: BrickWithHalo, axes: readonly AxisPlaces[], slot: SlotPlace): number {
-  let index = 0;
-  for (let axis = 2; axis >= 0; axis--)
-    index = slotSide * index + axes[axis].voxels[slot[axis]] - brickSide * at[axis] + brickHalo;
-  return samples[index];
-}
-
 /**
  * The value that is shown at the middle of a voxel of a level, as `ResidentBricks.storedAt`, but with nothing of halos that may depend on this one: where levels lie up to half a
  * voxel away from each other, a finer brick, or the brick itself, may be shown a little outside of its voxels.
@@ -128,8 +154,15 @@ function samplerOf(
   const ofVolume = layout.levels.length;
   const { dimensions } = volume.grid;
   const place: [number, number, number] = [0, 0, 0];
+  // Along a row, the cell changes seldom.
+  let [ci, cj, ck] = [-1, -1, -1];
+  let brick: BrickWithHalo | undefined;
   return (slot) => {
-    const brick = inSlot(pages.at(x.cells[slot[0]], y.cells[slot[1]], z.cells[slot[2]]) - 1);
+    const [i, j, k] = [x.cells[slot[0]], y.cells[slot[1]], z.cells[slot[2]]];
+    if (i !== ci || j !== cj || k !== ck) {
+      [ci, cj, ck] = [i, j, k];
+      brick = inSlot(pages.at(i, j, k) - 1);
+    }
     for (let axis = 0; axis < 3; axis++) {
       const middle = axes[axis].places[brick?.level ?? ofVolume][slot[axis]] + 0.5;
       if (!brick) place[axis] = middle / dimensions[axis];
