@@ -59,7 +59,7 @@ describe('what a reader does not expect', () => {
     it(`${what}: a mistake of this package, and the file is named`, async () => {
       const { code, message, cause } = await decodeWith(fail);
       expect(code).to.equal('internal');
-      expect(message).to.contain('the file scan.toy,').and.to.contain(what);
+      expect(message).to.contain('the file scan.toy:').and.to.contain(what);
       expect(cause).to.be.instanceOf(Error);
     });
   }
@@ -77,7 +77,7 @@ describe('a mistake after decoding', () => {
   it('in the worker is reported as one, and the file is named', async () => {
     const { code, message, cause } = await load();
     expect(code).to.equal('internal');
-    expect(message).to.contain('the file v1-le-i2.nii,').and.to.contain('TypeError');
+    expect(message).to.contain('the file v1-le-i2.nii:').and.to.contain('TypeError');
     expect(cause).to.match(/^TypeError/);
   });
 
@@ -89,7 +89,7 @@ describe('a mistake after decoding', () => {
     try {
       const { code, message } = await load();
       expect(code).to.equal('internal');
-      expect(message).to.contain('the file v1-le-i2.nii,').and.to.contain('TypeError');
+      expect(message).to.contain('the file v1-le-i2.nii:').and.to.contain('TypeError');
     } finally {
       globalThis.Worker = native;
     }
