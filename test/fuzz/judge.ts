@@ -1,3 +1,4 @@
+import { slotSide } from '../../src/bricks/brick-data.ts';
 import { VolumeViewError } from '../../src/core/errors.ts';
 import { decodeFile } from '../../src/formats/decode.ts';
 import type { DecodeContext } from '../../src/formats/decode.ts';
@@ -212,7 +213,7 @@ async function loadBricks(one: FilesCase): Promise<Finding | null> {
       const at = bricks.map((n) => Math.round(share * (n - 1))) as unknown as Vector3;
       try {
         const { samples, low, high } = await store.read({ level, at }, signal);
-        if (samples.length !== 34 ** 3) wrong ??= `${samples.length} samples`;
+        if (samples.length !== slotSide ** 3) wrong ??= `${samples.length} samples`;
         if (low <= high) wrong ??= findOdd([low, high], 'range');
       } catch (error) {
         if (!(error instanceof VolumeViewError) || error.code === 'internal') throw error;
