@@ -1,4 +1,4 @@
-// An enhanced file of DICOM, each of whose frames has its place and its time.
+// Frames of DICOM: an enhanced file, each of whose frames has its place and its time; and a slice for packed streams.
 import { ctSlice } from './dicom-bytes.ts';
 import type { DicomFields } from './dicom-bytes.ts';
 
@@ -78,3 +78,13 @@ export function mosaicFields(
     PixelData: new Uint8Array(numbers.buffer),
   };
 }
+
+/** A slice of 10 x 9 numbers that are values, as packed streams of tests hold them. */
+export const packedSlice: DicomFields = {
+  ...ctSlice(0),
+  Modality: 'MR',
+  RescaleSlope: undefined,
+  RescaleIntercept: undefined,
+  Rows: [9],
+  Columns: [10],
+};

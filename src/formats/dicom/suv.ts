@@ -1,8 +1,9 @@
 // Standardized uptake values of PET: how many times as much of the tracer is in a place as if all of it were spread evenly over the body.
 import type { DataSet } from './data-set.ts';
+import { wholeSecondsOf } from './date-time.ts';
 import { sequences, tags } from './tags.ts';
 
-const msPerDay = 86_400_000;
+const secondsPerDay = 86_400;
 
 /**
  * The factor from Bq/ml to SUV by body weight, in g/ml; null where the file does not say all that it needs.
@@ -24,29 +25,19 @@ function findShareLeft(set: DataSet, dose: DataSet): number | null {
   if (correction === 'ADMIN') return 1;
   const halfLife = dose.number(tags.halfLife) ?? 0;
   if (correction !== 'START' || !(halfLife > 0)) return null;
-  const scan = readTime(set.text(tags.seriesDate), set.text(tags.seriesTime));
-  const acquired = readTime(
+  const scan = wholeSecondsOf(set.text(tags.seriesDate), set.text(tags.seriesTime));
+  const acquired = wholeSecondsOf(
     set.text(tags.acquisitionDate) || set.text(tags.seriesDate),
     set.text(tags.acquisitionTime),
   );
   const start = dose.text(tags.injectionDateTime);
   const isWhole = start !== '';
   const given = isWhole
-    ? readTime(start.slice(0, 8), start.slice(8))
-    : readTime(set.text(tags.seriesDate), dose.text(tags.injectionTime));
+    ? wholeSecondsOf(start.slice(0, 8), start.slice(8))
+    : wholeSecondsOf(set.text(tags.seriesDate), dose.text(tags.injectionTime));
   // A series that was made after its acquisition has another time than that of the scan.
   if (scan === null || given === null || acquired === null || scan > acquired) return null;
   // Without a date of its own, a time after the scan is one of the day before.
-  const seconds = (scan - given + (!isWhole && given > scan ? msPerDay : 0)) / 1000;
-  return seconds >= 0 && seconds <= msPerDay / 1000 ? 2 ** (-seconds / halfLife) : null;
-}
-
-/** @param date - such as 20240131 @param time - such as 142530.25 @returns milliseconds; null if they are not complete */
-function readTime(date: string, time: string): number | null {
-  const [day, clock] = [/^(\d{4})(\d\d)(\d\d)$/.exec(date), /^(\d\d)(\d\d)(\d\d(?:\.\d{1,6})?)/.exec(time)];
-  if (!day || !clock) return null;
-  return (
-    Date.UTC(Number(day[1]), Number(day[2]) - 1, Number(day[3]), Number(clock[1]), Number(clock[2])) +
-    1000 * Number(clock[3])
-  );
+  const seconds = scan - given + (!isWhole && given > scan ? secondsPerDay : 0);
+  return seconds >= 0 && seconds <= secondsPerDay ? 2 ** (-seconds / halfLife) : null;
 }

@@ -1,5 +1,6 @@
 // What may differ between pictures of one place, such as the time when each was measured.
 import type { DataSet } from './data-set.ts';
+import { secondsOf } from './date-time.ts';
 import type { Picture } from './picture.ts';
 import { sequences, tags } from './tags.ts';
 import type { Tag } from './tags.ts';
@@ -86,15 +87,3 @@ const traitTags: readonly (readonly [name: string, group: Tag | null, ...tags: T
   ['share of a breath', sequences.breath, tags.breathPhase],
   ['number of the acquisition', sequences.frameContent, tags.frameAcquisition, tags.acquisition],
 ];
-
-/**
- * Seconds of a time of the day, on its day where the file says it; undefined where it says no time.
- * @param date - such as 20240131 @param time - such as 142530.25
- */
-function secondsOf(date: string, time: string): number | undefined {
-  const clock = /^(\d\d):?(\d\d):?(\d\d(?:\.\d+)?)?/.exec(time);
-  if (!clock) return undefined;
-  const day = /^(\d{4})(\d\d)(\d\d)$/.exec(date);
-  const start = day ? Date.UTC(Number(day[1]), Number(day[2]) - 1, Number(day[3])) / 1e3 : 0;
-  return start + 3600 * Number(clock[1]) + 60 * Number(clock[2]) + Number(clock[3] ?? 0);
-}

@@ -1,7 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../../../src/core/errors.ts';
-import { ctSlice, dicomBytes } from '../../../helpers/dicom-bytes.ts';
+import { dicomBytes } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../../helpers/dicom-bytes.ts';
+import { packedSlice } from '../../../helpers/dicom-frames.ts';
 import { decodeSeries } from '../../../helpers/dicom-series.ts';
 import type { Scan } from '../../../helpers/dicom-series.ts';
 import { expectError, valuesOf } from '../../../helpers/decode.ts';
@@ -23,12 +24,7 @@ function fileOf(
 ): Uint8Array<ArrayBuffer> {
   const allocated = bits > 8 ? 16 : 8;
   const all: DicomFields = {
-    ...ctSlice(0),
-    Modality: 'MR',
-    RescaleSlope: undefined,
-    RescaleIntercept: undefined,
-    Rows: [9],
-    Columns: [10],
+    ...packedSlice,
     BitsAllocated: [allocated],
     BitsStored: [bits],
     HighBit: [bits - 1],

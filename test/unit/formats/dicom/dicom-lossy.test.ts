@@ -1,7 +1,8 @@
 // Numbers that lossy packing makes larger than the bits of the file allow, as next to metal in a CT.
 import { expect } from '@esm-bundle/chai';
-import { ctSlice, dicomBytes } from '../../../helpers/dicom-bytes.ts';
+import { dicomBytes } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields } from '../../../helpers/dicom-bytes.ts';
+import { packedSlice } from '../../../helpers/dicom-frames.ts';
 import { decodeSeries } from '../../../helpers/dicom-series.ts';
 import { valuesOf } from '../../../helpers/decode.ts';
 import { jpegStreams } from '../../../helpers/jpeg-streams.ts';
@@ -34,12 +35,7 @@ const pydicom = {
 /** The numbers of a file of 12 bits. @param syntax - the last number of its transfer syntax */
 async function read(stream: string, syntax: number, fields: DicomFields = {}): Promise<number[]> {
   const all: DicomFields = {
-    ...ctSlice(0),
-    Modality: 'MR',
-    RescaleSlope: undefined,
-    RescaleIntercept: undefined,
-    Rows: [9],
-    Columns: [10],
+    ...packedSlice,
     BitsStored: [12],
     HighBit: [11],
     ...fields,
