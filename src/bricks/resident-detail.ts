@@ -13,6 +13,7 @@ import { MeasuredDetail, partAt, partsAlong } from './measured-detail.ts';
 import type { Brick } from './pyramid.ts';
 import { keyOfBrick } from './resident-bricks.ts';
 import type { ResidentBricks } from './resident-bricks.ts';
+import { betweenVoxels } from './residuals.ts';
 import type { ResidualTable } from './residuals.ts';
 
 interface Probe extends Brick {
@@ -27,9 +28,6 @@ const stride = 3;
 
 /** Between the middles of the outermost voxels, a brick alone says the values. */
 const [firstMiddle, lastMiddle] = [brickHalo + 0.5, brickHalo + brickSide - 0.5];
-
-/** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
-const between = [0.8191725134, 0.6710436067, 0.5497004779] as const;
 
 /**
  * The roughness of a macrocell is its largest second difference: so much of it is the root mean square of what a level of half the voxels hides of
@@ -82,6 +80,8 @@ export class ResidentDetail implements HiddenValues, DetailField {
   readonly #usualMax: Float64Array;
   readonly #range: [low: number, high: number] = [Infinity, -Infinity];
   #table: ResidualTable | null = null;
+  /** By level, where the writer has said it: how far its residuals go together. */
+  #written: readonly (number | undefined)[] = [];
   #byTable: HiddenValues | null = null;
 
   constructor(
@@ -112,6 +112,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
   /** Takes what the writer has said, until a brick has other values. @param levels - see `hiddenUnderBricks` */
   take(table: ResidualTable, levels: readonly number[]): void {
     this.#table = table;
+    this.#written = levels.slice(1).map((level) => table.along?.[level]);
     this.#byTable = hiddenUnderBricks(table, this.bricks.layout, levels);
     for (let block = 0; block < table.low.length; block++) this.#meet(table.low[block], table.high[block]);
     for (const brick of this.bricks.bricks) this.#compare(brick, brick);
@@ -124,7 +125,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
 
   #compare(brick: Brick, values: Pick<BrickSamples, 'low' | 'high'>): void {
     if (this.#table && !holdsBrick(this.#table, this.bricks.layout, brick, values))
-      [this.#table, this.#byTable] = [null, null];
+      [this.#table, this.#byTable, this.#written] = [null, null, []];
   }
 
   /** Looks at a brick before it is shown. @param isProbe - it will not be: finer probes inside it are compared with it, until `forgetProbes` */
@@ -154,7 +155,7 @@ export class ResidentDetail implements HiddenValues, DetailField {
         for (let i = brickHalo; i < end; i += stride, number++) {
           // Rays sample between voxels, too, where values differ less than at these.
           const inSlot = [i, j, k].map((n, axis) =>
-            Math.max(firstMiddle, n + ((number * between[axis]) % 1)),
+            Math.max(firstMiddle, n + ((number * betweenVoxels[axis]) % 1)),
           ) as unknown as Vector3;
           const value = valueAt(inSlot);
           const place = placeOf(inSlot);
@@ -237,12 +238,11 @@ export class ResidentDetail implements HiddenValues, DetailField {
       growth[level] = coarse > 0 ? Math.min(limits[1], Math.max(limits[0], Math.sqrt(fine / coarse))) : next;
     }
     for (let level = 0; level < levels - 1; level++) {
-      const [pairs, squares] = [this.#pairs[level], this.#squares[level]];
-      const isKnown = squares > 0;
-      const along = isKnown ? Math.min(mostAlong, Math.max(0, pairs / squares)) : alongOfNoise;
+      const measured = this.#squares[level] > 0 ? this.#pairs[level] / this.#squares[level] : this.#written[level];
+      const along = Math.min(mostAlong, Math.max(0, measured ?? alongOfNoise));
       this.#correlation[level + 1] = 2 ** level * voxelsTogether(along);
       const smooth = Math.max(0, (along - alongOfNoise) / (1 - alongOfNoise));
-      this.#between[level + 1] = isKnown ? ofNoise + (1 - ofNoise) * smooth : ofUnknown;
+      this.#between[level + 1] = measured === undefined ? ofUnknown : ofNoise + (1 - ofNoise) * smooth;
     }
     this.#measured.update(growth, this.#peaks);
     let [squares, peak] = [0, maxOfRoughness / rmsOfRoughness];

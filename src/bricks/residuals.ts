@@ -1,4 +1,5 @@
 // What the coarser levels of a pyramid hide, block by block.
+import { interpolate } from '../optics/rays/interpolate.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Pyramid, PyramidLevel } from './pyramid.ts';
 
@@ -20,6 +21,11 @@ export interface ResidualTable {
   readonly high: Float32Array<ArrayBuffer>;
   /** By level; those of level 0 are 0. */
   readonly levels: readonly LevelResiduals[];
+  /**
+   * By level: how far the differences from the next finer level go together that are one of its voxels apart, at places between its voxels, as rays sample there: from 0 to 1
+   * (noise has up to 0.25); 0 for level 0. Undefined where the writer has not said it.
+   */
+  readonly along?: readonly number[];
 }
 
 /** Where a voxel of level 0 lies between two voxels of a coarser level, along one axis. */
@@ -30,7 +36,7 @@ interface Between {
   readonly weight: Float64Array;
 }
 
-function betweenVoxels(count: number, level: number, coarse: number): Between {
+function placesBetween(count: number, level: number, coarse: number): Between {
   const places = Float64Array.from({ length: count }, (_, i) =>
     Math.min(coarse - 1, Math.max(0, (i + 0.5) / 2 ** level - 0.5)),
   );
@@ -79,7 +85,36 @@ export function measureResiduals({ levels }: Pick<Pyramid, 'levels'>, side: numb
       }
     for (let block = 0; block < count; block++) rms[block] = Math.sqrt(squares[block] / Math.max(1, numbers[block]));
   }
-  return { side, blocks, low, high, levels: found };
+  const along = levels.map((level, n) => (n === 0 ? 0 : measureAlong(levels[n - 1], level)));
+  return { side, blocks, low, high, levels: found, along };
+}
+
+/** Places at which it is measured how far residuals go together: every third voxel along each axis at most, and not many more than so many. */
+const [leastApart, mostPlaces] = [3, 2 ** 18];
+
+/** Shares of a voxel from one such place to the next: they fill the voxel evenly. Source: Roberts 2018, powers of the plastic number in three dimensions. */
+export const betweenVoxels = [0.8191725134, 0.6710436067, 0.5497004779] as const;
+
+/** How far residuals of a level go together that are one voxel apart along one of its axes. */
+function measureAlong(fine: PyramidLevel, coarse: PyramidLevel): number {
+  const [nx, ny, nz] = fine.dimensions;
+  const apart = Math.max(leastApart, Math.ceil(Math.cbrt(fine.samples.length / mostPlaces)));
+  const valueIn = ({ samples, dimensions }: PyramidLevel, at: Vector3, voxel: number): number =>
+    interpolate(samples, dimensions, at.map((n, axis) => (n + 0.5) / voxel / dimensions[axis]) as unknown as Vector3);
+  const residualAt = (at: Vector3): number => valueIn(fine, at, 1) - valueIn(coarse, at, 2);
+  let [products, squares, number] = [0, 0, 0];
+  // Up to the middles of the last voxels, from where the next place along an axis is still inside.
+  for (let k = 0; k + 2 < nz; k += apart)
+    for (let j = 0; j + 2 < ny; j += apart)
+      for (let i = 0; i + 2 < nx; i += apart, number++) {
+        const at = [i, j, k].map((n, axis) => n + ((number * betweenVoxels[axis]) % 1)) as unknown as Vector3;
+        const next = at.map((n, axis) => (axis === number % 3 ? n + 1 : n)) as unknown as Vector3;
+        const [here, there] = [residualAt(at), residualAt(next)];
+        if (Number.isNaN(here + there)) continue;
+        products += here * there;
+        squares += (here ** 2 + there ** 2) / 2;
+      }
+  return squares > 0 ? Math.min(1, Math.max(0, products / squares)) : 0;
 }
 
 /**
@@ -91,7 +126,7 @@ function rowInterpolator(
   fine: Vector3,
   level: number,
 ): (j: number, k: number, into: Float64Array) => void {
-  const [x, y, z] = fine.map((n, axis) => betweenVoxels(n, level, coarse[axis]));
+  const [x, y, z] = fine.map((n, axis) => placesBetween(n, level, coarse[axis]));
   const [nx, ny] = coarse;
   const [sums, weights] = [new Float64Array(nx), new Float64Array(nx)];
   return (j, k, into) => {

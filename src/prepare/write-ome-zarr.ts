@@ -224,7 +224,7 @@ function levelArray(pyramid: Pyramid, level: number, { offset, type }: Pick<Writ
 
 /** What each level hides, as arrays of one number a block: a block is a chunk of level 0. */
 function* writeResiduals(pyramid: Pyramid, offset: number, layout: ArrayLayout): Generator<StoreFile> {
-  const { blocks, low, high, levels } = measureResiduals(pyramid, side);
+  const { blocks, low, high, levels, along } = measureResiduals(pyramid, side);
   const array = (numbers: Float32Array<ArrayBuffer>): ArrayData => ({
     type: 'float32',
     dimensions: blocks,
@@ -237,7 +237,7 @@ function* writeResiduals(pyramid: Pyramid, offset: number, layout: ArrayLayout):
     jsonOf({
       zarr_format: 3,
       node_type: 'group',
-      attributes: { 'volume-view': { version: 1, block: [side, side, side], levels: levels.length } },
+      attributes: { 'volume-view': { version: 1, block: [side, side, side], levels: levels.length, along } },
     }),
   ];
   yield* writeArray(

@@ -48,7 +48,7 @@ export async function readResiduals(
   const { axes, levels: all } = image;
   if (String(axes.space) !== '2,1,0' || axes.count !== 3) return null;
   const { attributes } = (await readJson(tree, `${group}/zarr.json`, opening)) ?? {};
-  const { version, block, levels: count } = objectOf(objectOf(attributes)[group]);
+  const { version, block, levels: count, along } = objectOf(objectOf(attributes)[group]);
   if (version !== 1) return null;
   const side = numbersOf(block)?.[0] ?? NaN;
   const isBlock =
@@ -87,7 +87,16 @@ export async function readResiduals(
     }
     found.push({ max, rms });
   }
-  return { side, blocks, low, high, levels: found };
+  return { side, blocks, low, high, levels: found, along: readAlong(along, all.length, levels) };
+}
+
+/** By level of the store: how far residuals go together. Undefined where the writer did not measure it. */
+function readAlong(along: unknown, count: number, levels: readonly ZarrBrickLevel[]): readonly number[] | undefined {
+  if (along === undefined) return undefined;
+  const numbers = numbersOf(along);
+  if (numbers?.length !== count || !numbers.every((one) => one >= 0 && one <= 1))
+    throw corruptFile(what, `has other numbers in "along"; expected ${count} from 0 to 1`);
+  return levels.map(({ number }) => numbers[number]);
 }
 
 /** An array of one number a block, i fastest. */

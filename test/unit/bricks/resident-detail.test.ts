@@ -183,7 +183,8 @@ describe('what bricks hide', () => {
 
 describe('what bricks hide, by the table of their writer', () => {
   it('is what the table says of each block and level, with its values; no brick has to come first', () => {
-    const { detail, table, bricked } = makeWritten();
+    const { detail, table: written, bricked } = makeWritten();
+    const table = { ...written, along: undefined };
     detail.take(table, [0, 1, 2]);
     detail.update();
     expect(probesOf(bricked, detail)).to.deep.equal([]);
@@ -208,16 +209,37 @@ describe('what bricks hide, by the table of their writer', () => {
 
   it('counts for a file of more levels than bricks have, too', () => {
     const { detail, table } = makeWritten();
-    const more = { ...table, levels: [table.levels[0], table.levels[1], table.levels[1], table.levels[2]] };
+    const more = {
+      ...table,
+      along: undefined,
+      levels: [table.levels[0], table.levels[1], table.levels[1], table.levels[2]],
+    };
     detail.take(more, [0, 1, 3]);
     const block = detail.blockAt(0.9, 0.1, 0.1);
     detail.update();
     expect(detail.rms(block, 2)).to.be.closeTo(0.85 * table.levels[2].rms[3], 1e-12);
   });
 
+  it('goes together, and is less between voxels, as the table says: two thirds of the variance of noise along each axis', () => {
+    const { detail, table } = makeWritten();
+    expect(table.along![1]).to.be.below(0.25);
+    const ofMost = (0.8 - 0.25) / (1 - 0.25);
+    for (const [along, share, together] of [
+      [0.25, (2 / 3) ** 1.5, 5 / 3],
+      [1, (2 / 3) ** 1.5 + (1 - (2 / 3) ** 1.5) * ofMost, 9],
+    ]) {
+      detail.take({ ...table, along: [0, along, 0.25] }, [0, 1, 2]);
+      detail.update();
+      const block = detail.blockAt(0.1, 0.1, 0.1);
+      expect(detail.rms(block, 1)).to.be.closeTo(share * table.levels[1].rms[0], 1e-9);
+      expect(detail.correlation(1)).to.be.closeTo(together, 1e-9);
+      expect(detail.correlation(2)).to.be.closeTo(2 * (5 / 3), 1e-9);
+    }
+  });
+
   it('is less between voxels where bricks show that it is noise: two thirds of the variance along each axis', () => {
     const { detail, table, add } = makeWritten();
-    detail.take(table, [0, 1, 2]);
+    detail.take({ ...table, along: undefined }, [0, 1, 2]);
     add({ level: 0, at: [0, 0, 0] });
     add({ level: 0, at: [1, 3, 2] });
     detail.update();

@@ -45,6 +45,21 @@ describe('What the levels of a pyramid hide', () => {
     expect(levels[2].max[0]).to.be.above(0.4);
   });
 
+  it('goes together as far as values do: not in noise, and nearly all the way in waves', () => {
+    const side = 48;
+    const random = randomNumbers(7);
+    const alongOf = (field: (i: number) => number): readonly number[] => {
+      const samples = Float32Array.from({ length: side ** 3 }, (_, n) => field(n % side));
+      return measureResiduals(buildPyramid({ dimensions: [side, side, side], samples }, 8), 8).along!;
+    };
+    const ofNoise = alongOf(random);
+    expect(ofNoise[0]).to.equal(0);
+    expect(ofNoise[1]).to.be.within(0.1, 0.25);
+    // Along two of three axes these waves do not change. Along x, what a mean of two voxels hides changes its sign within a few voxels.
+    expect(alongOf((i) => Math.sin(i / 3))[1]).to.be.within(0.6, 1);
+    expect(alongOf(() => 5)).to.deep.equal([0, 0, 0, 0]);
+  });
+
   it('has a speck of one voxel in full', () => {
     const samples = new Uint8Array(32 ** 3);
     samples[20 + 32 * (9 + 32 * 3)] = 200;

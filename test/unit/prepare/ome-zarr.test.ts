@@ -142,7 +142,12 @@ describe('OME-Zarr that is written', () => {
     });
     const files = storeOf(volume);
     const metadata = JSON.parse(new TextDecoder().decode(files.get(`${residualsGroup}/zarr.json`)));
-    expect(metadata.attributes['volume-view']).to.deep.equal({ version: 1, block: [32, 32, 32], levels: 3 });
+    const { along, ...attributes } = metadata.attributes['volume-view'];
+    expect(attributes).to.deep.equal({ version: 1, block: [32, 32, 32], levels: 3 });
+    // Each level: the ball's rim goes on over several voxels of the finest one, and not over those of the next one.
+    expect(along).to.have.lengthOf(3);
+    expect(along[1]).to.be.within(0.5, 0.9);
+    expect([along[0], along[2]]).to.deep.equal([0, 0]);
     const numbers = async (name: string): Promise<number[]> => {
       const own = new Map(
         [...files]

@@ -69,6 +69,7 @@ describe('what a pyramid says of the detail in its levels', () => {
       const toStored = (value: number): number => (value + volume.intercept - store.intercept) / store.slope;
       const near = (got: number, value: number): boolean =>
         got === value || Math.abs(got - value) <= 1e-3 + 1e-6 * Math.abs(value);
+      expect(read.along).to.deep.equal(expected.along);
       for (let n = 0; n < expected.low.length; n++) {
         expect(near(read.low[n], toStored(expected.low[n])), `low ${n}`).to.equal(true);
         expect(near(read.high[n], toStored(expected.high[n])), `high ${n}`).to.equal(true);
@@ -84,6 +85,12 @@ describe('what a pyramid says of the detail in its levels', () => {
     const bare = new Map([...files].filter(([path]) => !path.startsWith('volume-view/')));
     expect(await residualsOf(bare)).to.equal(null);
     expect(await residualsOf(withGroup(files, { version: 2, block: 'other' }))).to.equal(null);
+  });
+
+  it('may lack how far residuals go together, as before this was measured', async () => {
+    const read = await residualsOf(withGroup(storeOf(whole), { along: undefined }));
+    expect(read!.along).to.equal(undefined);
+    expect(read!.levels.length).to.equal(3);
   });
 
   const lies: Record<string, [(files: Files) => Files, string]> = {
@@ -104,6 +111,9 @@ describe('what a pyramid says of the detail in its levels', () => {
     'blocks of a voxel': [(files) => withGroup(files, { block: [1, 1, 1] }), 'format/corrupt'],
     'blocks of other shapes': [(files) => withGroup(files, { block: [32, 32, 64] }), 'format/corrupt'],
     'no blocks': [(files) => withGroup(files, { block: null }), 'format/corrupt'],
+    'too few numbers of how far residuals go together': [(files) => withGroup(files, { along: [0] }), 'format/corrupt'],
+    'a number of these above 1': [(files) => withGroup(files, { along: [0, 0.5, 1.5] }), 'format/corrupt'],
+    'none of these that is a number': [(files) => withGroup(files, { along: ['a', 'b', 'c'] }), 'format/corrupt'],
     'what is no JSON': [
       (files) => new Map(files).set('volume-view/zarr.json', new TextEncoder().encode('{')),
       'format/corrupt',
