@@ -20,3 +20,14 @@ export function readHalfFloats({ buffer, byteOffset, byteLength }: Uint8Array): 
   }
   return values;
 }
+
+/** The bits of the float of 16 bits that is nearest to a number. */
+export function halfFloatBits(value: number): number {
+  if (Number.isNaN(value)) return 0x7e00;
+  // What is larger becomes infinite.
+  const size = Math.min(Math.abs(value), 2 ** 16);
+  const exponent = Math.max(-14, Math.floor(Math.log2(size)));
+  // Of the smallest numbers the exponent is 0. A fraction that is rounded up to a whole number is the next exponent.
+  const bits = (exponent + 14) * 1024 + Math.round(size * 2 ** (10 - exponent));
+  return (value < 0 ? 0x8000 : 0) + bits;
+}

@@ -2,6 +2,7 @@ import { spacingOf } from '../../volume/grid.ts';
 import { chooseReduction } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import type { NumberType } from '../base/number-types.ts';
 import { countChunks } from './list-chunks.ts';
 import type { ArrayBox } from './list-chunks.ts';
 import type { OmeAxes } from './ome-axes.ts';
@@ -65,7 +66,7 @@ export function chooseLevel(
   const fits = (box: LevelBox): boolean =>
     isReadable(box, arrayBox(box)) &&
     Math.max(...box.dimensions) <= limits.maxVoxelsPerAxis &&
-    countVoxels(box) * Math.min(4, box.level.array.type.bytesPerSample) <= limits.maxBytes &&
+    countVoxels(box) * storedBytes(box.level.array.type) <= limits.maxBytes &&
     (limits.maxAtlasSize === null ||
       chooseReduction(
         { dimensions: box.dimensions, indexToWorld: worldOfBox(box, axes), samples: new Uint8Array(0) },
@@ -84,6 +85,10 @@ export function coarseEnough(boxes: readonly LevelBox[], detail: number, axes: O
 }
 
 export const countVoxels = ({ dimensions: [nx, ny, nz] }: { readonly dimensions: Vector3 }): number => nx * ny * nz;
+
+/** Bytes of a voxel once it is read: floats of any size become floats of 32 bits. */
+export const storedBytes = ({ bytesPerSample, read }: NumberType): number =>
+  read.kind === 'floats' ? 4 : Math.min(4, bytesPerSample);
 
 /** Whether the chunks of a box are few enough. */
 export function isReadable({ level }: LevelBox, box: ArrayBox): boolean {

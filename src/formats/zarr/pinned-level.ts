@@ -9,7 +9,7 @@ import type { DecodeSettings } from '../base/decoded-volume.ts';
 import { chooseBrickLevels } from './brick-levels.ts';
 import { chooseBrickNumbers } from './brick-numbers.ts';
 import type { BrickNumbers } from './brick-numbers.ts';
-import { countVoxels, isReadable } from './choose-level.ts';
+import { countVoxels, isReadable, storedBytes } from './choose-level.ts';
 import type { LevelBox } from './choose-level.ts';
 import type { ArrayBox } from './list-chunks.ts';
 import type { OmeImage } from './open-image.ts';
@@ -53,7 +53,7 @@ export function choosePinned(
   if (!finer || !isPlain || limits.maxAtlasSize !== null || image.labels) return null;
   const { array } = boxes[0].level;
   const numbers = chooseBrickNumbers(array.type, array.littleEndian, { slope: 1, intercept: 0 });
-  const bytesOf = (box: LevelBox): number => countVoxels(box) * Math.min(4, array.type.bytesPerSample);
+  const bytesOf = (box: LevelBox): number => countVoxels(box) * storedBytes(array.type);
   const isSmall = (box: LevelBox, most: number): boolean =>
     bytesOf(box) <= most && Math.max(...box.dimensions) <= limits.maxVoxelsPerAxis && isReadable(box, arrayBox(box));
   if (isSmall(boxes[0], Math.min(maxGpuBytes ?? Infinity, limits.maxBytes))) return null;

@@ -1,6 +1,7 @@
 import type { Budget } from '../base/budget.ts';
 import type { ProgressListener } from '../base/decoded-volume.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
+import { halfFloatBits } from '../npy/half-floats.ts';
 import { asNumbers, copyChunk } from './copy-chunk.ts';
 import type { FileTree } from './file-tree.ts';
 import { listChunks } from './list-chunks.ts';
@@ -127,7 +128,8 @@ export function bitsOf({ type, fill, littleEndian }: ZarrArray): number | bigint
   const size = type.bytesPerSample;
   const bytes = new Uint8Array(8);
   const view = new DataView(bytes.buffer);
-  if (type.read.kind === 'floats') view[size === 4 ? 'setFloat32' : 'setFloat64'](0, fill, hostIsLittleEndian);
+  if (size === 2 && type.read.kind === 'floats') view.setUint16(0, halfFloatBits(fill), hostIsLittleEndian);
+  else if (type.read.kind === 'floats') view[size === 4 ? 'setFloat32' : 'setFloat64'](0, fill, hostIsLittleEndian);
   else view.setBigInt64(0, BigInt(Number.isFinite(fill) ? Math.trunc(fill) : 0), hostIsLittleEndian);
   const own = bytes.slice(0, size);
   if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);

@@ -8,7 +8,7 @@ import type { DecodedCartesianVolume, DecodeSettings, ProgressListener } from '.
 import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { chooseLevel, countVoxels, cutLevel, isReadable, worldOfBox } from './choose-level.ts';
+import { chooseLevel, countVoxels, cutLevel, isReadable, storedBytes, worldOfBox } from './choose-level.ts';
 import type { ArrayBox, LevelBox } from './choose-level.ts';
 import { chooseTime } from './choose-time.ts';
 import { describeImage } from './describe-image.ts';
@@ -63,7 +63,7 @@ export async function readZarr(
   const { labelDetail } = settings;
   if (labelDetail !== undefined && settings.region && !region) throw nothingThere();
   const boxes = levels.map((level) => cutLevel(level, axes, region)!);
-  const stored = Math.min(4, levels[0].array.type.bytesPerSample);
+  const stored = storedBytes(levels[0].array.type);
   const limits = { ...load.limits, maxBytes: Math.min(load.limits.maxBytes, settings.maxBytes ?? Infinity) };
   const ofChannels = shown.kind === 'colors' ? limitsOfChannels(limits, shown.list.length, stored) : null;
   const pinned =
@@ -101,6 +101,8 @@ export async function readZarr(
     return all.map((bytes) => {
       // As its bricks are stored.
       if (numbers) return { samples: numbers.store(bytes), slope: numbers.slope, intercept: numbers.intercept };
+      // Floats of 16 bits are copied.
+      if (array.type.name === 'float16') load.budget.take(2 * bytes.length, 'the volume');
       const { scale, offset, ...rest } = storeSamples(bytes, array.type, array.littleEndian, {
         slope: 1,
         intercept: 0,

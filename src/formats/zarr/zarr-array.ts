@@ -1,7 +1,8 @@
 import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
-import { numberTypes } from '../base/number-types.ts';
+import { floats, numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
+import { readHalfFloats } from '../npy/half-floats.ts';
 import { isObject, listOf, numbersOf, objectOf, shownWord } from './read-json.ts';
 import type { Json } from './read-json.ts';
 
@@ -50,8 +51,10 @@ export const maxChunkBytes = 2 ** 28;
 /** Chunks of a shard: an index of 16 MiB. */
 const maxChunksOfShard = 2 ** 20;
 
+const float16 = floats('float16', 2, readHalfFloats);
+
 const typeNames: ReadonlyMap<string, NumberType> = new Map(
-  Object.values(numberTypes).map((type) => [type.name, type] as const),
+  [...Object.values(numberTypes), float16].map((type) => [type.name, type] as const),
 );
 
 /** The types of Zarr 2, without byte order. Source: NumPy's array interface */
@@ -65,6 +68,7 @@ const letters: Readonly<Record<string, NumberType>> = {
   i4: numberTypes.int32,
   u8: numberTypes.uint64,
   i8: numberTypes.int64,
+  f2: float16,
   f4: numberTypes.float32,
   f8: numberTypes.float64,
 };
@@ -215,7 +219,7 @@ function lengthsOf(value: unknown, name: string, what: string): readonly number[
 function refuseType(type: unknown, what: string): Error {
   return unsupportedFile(
     what,
-    `holds values of the type ${shownWord(type)}; expected whole numbers of 8 to 64 bits or floats of 32 or 64`,
+    `holds values of the type ${shownWord(type)}; expected whole numbers of 8 to 64 bits or floats of 16 to 64`,
   );
 }
 
