@@ -105,13 +105,13 @@ export function viewOf(bytes: Uint8Array): DataView {
 }
 
 /**
- * Lengths along i, j, k; missing axes have length 1. The fourth axis, time, makes a series, and so do those from the
- * sixth on; along the fifth lie the numbers of a voxel (nifti1.h).
+ * Lengths along i, j, k; missing axes have length 1, and so have those of 0 or less, as niftilib takes them (FSL, ITK). The fourth axis,
+ * time, makes a series, and so do those from the sixth on; along the fifth lie the numbers of a voxel (nifti1.h).
  */
 export function readDimensions({ dim }: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
   const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = dim.slice(1, 1 + dim[0]);
   return {
-    dimensions: [nx, ny, nz],
+    dimensions: [nx, Math.max(1, ny), Math.max(1, nz)],
     volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1),
     numbers: Math.max(1, numbers),
   };

@@ -62,11 +62,8 @@ async function readVolume(
 ): Promise<DecodedCartesianVolume> {
   const { slope: scale, intercept: shift } = header;
   const isScaled = scale !== 0 && Number.isFinite(scale);
-  const [axes, ...lengths] = header.dim;
-  if (
-    !(axes >= 1 && axes <= 7 && lengths.slice(0, Math.min(3, axes)).every((n) => n >= 1)) ||
-    (isScaled && !Number.isFinite(shift))
-  )
+  const [axes, nx] = header.dim;
+  if (!(axes >= 1 && axes <= 7 && nx >= 1) || (isScaled && !Number.isFinite(shift)))
     throw (await loadReader(() => import('#rare/formats/nifti/nifti-problems.ts'))).refuseHeader(header);
   const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);

@@ -118,6 +118,73 @@ describe('NIfTI samples as stored', () => {
   });
 });
 
+/**
+ * What headers of 60 numbers say of their axes, and the volume that SimpleITK 2.5.7 (niftilib) reads; of axes beyond the first number, nibabel
+ * 5.4.2 as well. Of a length of 0 nibabel makes a volume without voxels.
+ */
+const oddAxes: readonly (readonly [dim: readonly number[], dimensions: readonly number[], volumes?: number])[] = [
+  [
+    [3, 4, 5, 0, 1, 1, 1, 1],
+    [4, 5, 1],
+  ],
+  [
+    [3, 4, 5, 0, 0, 0, 0, 0],
+    [4, 5, 1],
+  ],
+  [
+    [3, 4, 5, -1, 1, 1, 1, 1],
+    [4, 5, 1],
+  ],
+  [
+    [3, 4, 0, 0, 1, 1, 1, 1],
+    [4, 1, 1],
+  ],
+  [[4, 4, 5, 0, 2, 0, 0, 0], [4, 5, 1], 2],
+  [
+    [4, 4, 5, 3, 0, 0, 0, 0],
+    [4, 5, 3],
+  ],
+  [
+    [4, 4, 5, 3, -3, 1, 1, 1],
+    [4, 5, 3],
+  ],
+  [[7, 4, 5, 1, 3, 0, 0, 0], [4, 5, 1], 3],
+  [
+    [2, 4, 5, 0, 0, 0, 0, 0],
+    [4, 5, 1],
+  ],
+  [
+    [2, 4, 5, -7, 999, 3, 2, 9],
+    [4, 5, 1],
+  ],
+  [
+    [3, 4, 5, 3, 30_000, -2, 7, 1],
+    [4, 5, 3],
+  ],
+];
+
+describe('NIfTI files with axes of no length', () => {
+  for (const version of [1, 2])
+    for (const [dim, dimensions, volumes = 1] of oddAxes)
+      it(`are as long as 1 there: NIfTI-${version}, ${dim.join(' ')}`, async () => {
+        const bytes = await fetchFixture(version === 1 ? 'nifti/v1-le-i2.nii' : 'nifti/v2-le-i2.nii');
+        const values = valuesOf(await decodeBytes(bytes.slice(), 'x.nii'));
+        const view = new DataView(bytes.buffer);
+        for (const [i, n] of dim.entries())
+          if (version === 1) view.setInt16(40 + 2 * i, n, true);
+          else view.setBigInt64(16 + 8 * i, BigInt(n), true);
+        const volume = await decodeBytes(bytes, 'x.nii');
+        expect(volume.grid.kind === 'cartesian' && volume.grid.dimensions).to.deep.equal(dimensions);
+        expect(volume.format).to.equal(`NIfTI-${version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`);
+        expect(valuesOf(volume)).to.deep.equal(
+          values.slice(
+            0,
+            dimensions.reduce((product, n) => product * n, 1),
+          ),
+        );
+      });
+});
+
 describe('NIfTI files that are refused', () => {
   /** The plain int16 fixture with bytes written over. */
   const patched = async (
