@@ -155,17 +155,21 @@ async function isCertain(format: Format, { unpacked }: FileStart): Promise<boole
   );
 }
 
-/** A file that is named JSON, and is not, is left to its reader, which says so. Other data may begin with a brace by chance. */
+/**
+ * Other programs write JSON, too: the keys decide. A file that is named JSON, and is none, is left to its reader, which says so, where it has such
+ * a key: Python writes NaN into what lies next to volumes. Other data may begin with a brace by chance.
+ */
 async function isManifest(store: ByteStore, url: string): Promise<boolean> {
   const { size } = await store.stat(url);
   if (size === null || size > maxManifestBytes) return false;
   const { bytes } = await store.read(url);
+  let text = new TextDecoder().decode(bytes);
   try {
-    const value = JSON.parse(new TextDecoder().decode(bytes)) as object;
-    return ['image', 'video', 'files', 'scans'].some((name) => Object.hasOwn(value, name));
+    text = String(Object.keys(JSON.parse(text) as object).map((key) => `"${key}":`));
   } catch {
-    return /\.json$/i.test(url);
+    if (!/\.json$/i.test(url)) return false;
   }
+  return /"(image|video|files|scans)"\s*:/.test(text);
 }
 
 function refuseImages(what: string, urls: readonly string[]): VolumeViewError {

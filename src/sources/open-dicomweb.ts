@@ -3,6 +3,7 @@ import { VolumeViewError } from '../core/errors.ts';
 import { checkFileCount } from '../formats/base/check-file-count.ts';
 import type { DecodeInput } from '../formats/base/decoded-volume.ts';
 import { keptBytes } from '../formats/base/format.ts';
+import { parseJson } from '../formats/base/parse-json.ts';
 import type { WebPixels } from '../formats/base/scan-data.ts';
 import { elementOf, listBulk, writeInstance } from '../formats/dicom/write-instance.ts';
 import type { JsonPixels, JsonSet } from '../formats/dicom/write-instance.ts';
@@ -95,7 +96,7 @@ async function readMetadata(url: string, reading: QueuedReading): Promise<JsonSe
   });
   let sets: unknown;
   try {
-    sets = bytes.length > 0 ? JSON.parse(new TextDecoder().decode(bytes)) : [];
+    sets = bytes.length > 0 ? parseJson(new TextDecoder().decode(bytes)) : [];
   } catch (cause) {
     throw notDicomWeb(cause);
   }

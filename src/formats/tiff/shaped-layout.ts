@@ -1,4 +1,5 @@
 // Stacks of tifffile, which napari and scikit-image use: the shape of an array, as JSON. Source: tifffile 2026.3.3, TiffWriter.write and TiffFile._series_shaped
+import { parseJson } from '../base/parse-json.ts';
 import { nameRest } from './layout.ts';
 import type { TiffLayout } from './layout.ts';
 import { readSpacing } from './page-spacing.ts';
@@ -59,7 +60,7 @@ export function layOutShaped(
 function readShape(description: string): Shape | null {
   let json: Readonly<Record<string, unknown>>;
   try {
-    json = JSON.parse(description) as Readonly<Record<string, unknown>>;
+    json = parseJson(description) as Readonly<Record<string, unknown>>;
   } catch {
     return null;
   }

@@ -1,5 +1,6 @@
 import type { Budget } from '../base/budget.ts';
 import { corruptFile } from '../base/file-problem.ts';
+import { parseJson } from '../base/parse-json.ts';
 import type { FileTree } from './file-tree.ts';
 
 /** An object of a JSON file from a stranger. */
@@ -25,7 +26,7 @@ export async function readJson(
   budget.giveBack(memoryPerByte * bytes.length);
   let value: unknown;
   try {
-    value = JSON.parse(new TextDecoder().decode(bytes));
+    value = parseJson(new TextDecoder().decode(bytes));
   } catch {
     throw corruptFile(what, 'are no JSON');
   }

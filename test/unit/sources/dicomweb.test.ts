@@ -213,6 +213,21 @@ describe('a series on a DICOMweb server', () => {
     });
   });
 
+  it('of a server in Python may have numbers that JSON has not', async () => {
+    const instances = slices(2);
+    // pydicom 3.0.2: json.dumps(set.to_json_dict()) where a diffusion b value is not a number
+    const text = JSON.stringify(
+      instances.map(({ fields }) => ({ ...dicomJson(fields, () => ''), '00189087': { vr: 'FD', Value: ['?'] } })),
+    ).replaceAll('"?"', 'NaN');
+    expect(text).to.contain('[NaN]');
+    await withWeb(instances, { metadata: { type: 'application/dicom+json', text } }, async ({ url }) => {
+      await expectSame(
+        await load(url),
+        instances.map(({ fields }) => dicomBytes(fields)),
+      );
+    });
+  });
+
   it('on a server of another kind is refused in words', async () => {
     for (const [type, text] of [
       ['text/html', '<!doctype html><title>Sign in</title>'],

@@ -40,6 +40,25 @@ describe('a manifest among chosen files', () => {
     for (const name of ['scan.json', 'SCAN.JSON'])
       expect((await local([...chosen, new File(['{ "image": '], name)])).first, name).to.match(/\.json$/i);
   });
+
+  it('is no JSON of another program, whether it is valid or not', async () => {
+    const volume = await fileOf('nifti/v1-le-i2.nii', 'scan.nii');
+    for (const text of [
+      '{"EchoTime": 0.03, "SliceTiming": [0, 1.5]}',
+      // Python 3.11: json.dumps({"EchoTime": math.nan, "SliceTiming": [math.inf, -math.inf]})
+      '{"EchoTime": NaN, "SliceTiming": [Infinity, -Infinity]}',
+      '{"EchoTime": NaN, "ImageType": ["ORIGINAL", "image"], "Comment": "files of a scan"}',
+      '{"EchoTime": 0.03,\n',
+      '{ EchoTime: 0.03 } // image',
+      '',
+      'null',
+      '["image"]',
+      '{"meta": {"files": [1]}}',
+    ]) {
+      const { first, files } = await local([volume, new File([text], 'scan.json')]);
+      expect([new URL(first).pathname.slice(-4), files], text).to.deep.equal(['.nii', undefined]);
+    }
+  });
 });
 
 describe('the volume of an archive', () => {

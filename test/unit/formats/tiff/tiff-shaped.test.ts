@@ -87,6 +87,14 @@ describe('a TIFF file with the shape of an array', () => {
       expect(await read(file(count, description))).to.deep.equal({ scans, left });
     });
 
+  it('may have numbers that JSON has not, as tifffile 2026.3.3 writes metadata={"axes": "TZYX", "mean": nan}', async () => {
+    const text = '{"shape": [2, 3, 2, 3], "axes": "TZYX", "mean": NaN, "range": [-Infinity, Infinity]}';
+    expect((await read(file(6, text))).scans).to.deep.equal([
+      [0, 1, 2],
+      [3, 4, 5],
+    ]);
+  });
+
   it('has colours as its last axis, or before those of the page', async () => {
     const colors = { 258: [3, 8, 8, 8], 262: [3, 2], 277: [3, 3] } as const;
     const contiguous = file(4, { shape: [2, 2, 2, 3, 3], axes: 'TZYXS' }, colors);

@@ -155,6 +155,16 @@ describe('an OME-Zarr', () => {
     expect(new Set(tree.asked.filter((path) => path.startsWith('0/c/')))).to.have.length(12);
   });
 
+  it('may have numbers that JSON has not, as zarr-python 3.1.6 writes attributes and zarr-python 2 fill values', async () => {
+    const files = pyramidFiles({ ...cube, levels: 1, isMissing: () => true });
+    const write = (path: string, change: (text: string) => string): unknown =>
+      files.set(path, new TextEncoder().encode(change(new TextDecoder().decode(files.get(path)))));
+    write('.zattrs', (text) => `{"a": NaN, "b": [Infinity,\n -Infinity, NaN], ${text.slice(1)}`);
+    write('0/.zarray', (text) => text.replace('<u2', '<f4').replace('"fill_value":0', '"fill_value": NaN'));
+    const { samples } = await readStore(files);
+    expect([samples.length, samples.every(Number.isNaN)]).to.deep.equal([16 * 12 * 20, true]);
+  });
+
   it('without some chunks has the fill value there', async () => {
     const volume = await readStore(pyramidFiles({ shape: [4, 4, 8], isMissing: ([, , x]) => x === 1 }));
     const values = Array.from(volume.samples, (one) => volume.slope * one + volume.intercept);
@@ -501,7 +511,7 @@ describe('a store that lies, or lacks something, is refused in words:', () => {
     'a plate': [ome({ plate: {} }), 'format/unsupported', /plate or a well.*plate\.zarr/],
     'a list of labels': [ome({ labels: ['cells'] }), 'format/unsupported', /image\.zarr\/labels\/cells/],
     'no JSON': [
-      pyramidFiles(cube).set('.zattrs', new TextEncoder().encode('{"a": NaN}')),
+      pyramidFiles(cube).set('.zattrs', new TextEncoder().encode('{"a": nan}')),
       'format/corrupt',
       /\(\.zattrs\) are no JSON$/,
     ],
