@@ -1,8 +1,8 @@
 // Stacks of ImageJ and Fiji. Source: ImageJ 1.54, ij/io/FileInfo and TiffEncoder: lines of "name=value" in ImageDescription
 import { scaleImageJ } from './imagej-values.ts';
-import { nameRest } from './layout.ts';
+import { guessedDistance, nameRest } from './layout.ts';
 import type { TiffLayout } from './layout.ts';
-import { readSpacing } from './page-spacing.ts';
+import { readSpacing, unitsPer } from './page-spacing.ts';
 import type { Directory, TiffFile } from './tiff-file.ts';
 
 export const isImageJ = (description: string): boolean => description.startsWith('ImageJ=');
@@ -32,6 +32,9 @@ export function layOutImageJ(
   if (slices * channels * times !== pages) return null;
   // ImageJ does not write a distance of 1. Source: ImageJ 1.54, FileSaver, getDescriptionString
   const distance = Number(values.get('spacing') ?? (slices > 1 ? 1 : NaN));
+  const unit = values.get('unit') ?? '';
+  const zUnit = values.get('zunit');
+  const isGuessed = slices > 1 && Number.isNaN(unitsPer(zUnit, unit));
   const number = (name: string): number => Number(values.get(name) ?? NaN);
   const [low, high] = [number('min'), number('max')];
   const { scale, left } = scaleImageJ(file, first, values);
@@ -44,10 +47,10 @@ export function layOutImageJ(
     slices,
     times,
     pageOf: (slice, time) => (time * slices + slice) * channels,
-    spacing: readSpacing(file, first, { unit: values.get('unit') ?? '', distance }),
+    spacing: readSpacing(file, first, { unit, yUnit: values.get('yunit'), zUnit, distance }),
     timeStep:
       number('finterval') > 0 && /^(sec|s|seconds)?$/.test(values.get('tunit') ?? '') ? number('finterval') : null,
-    left: [nameRest('channel', channels), left].filter((one) => one !== null),
+    left: [nameRest('channel', channels), isGuessed ? guessedDistance : null, left].filter((one) => one !== null),
     ...(scale && { scale }),
     ...(channels === 1 && high > low && Number.isFinite(window[1] - window[0])
       ? { window: [Math.min(...window), Math.max(...window)] as const }

@@ -15,10 +15,10 @@ import { countKept, describeKept } from '../series/keep-volumes.ts';
 import { openSeries } from '../series/open-series.ts';
 import { timeText } from '../series/scan-times.ts';
 import { allocateColors, decodePage, pageBytes, whiteOf } from './decode-page.ts';
+import { checkLike, joinParts, joinScales, plain } from './join-files.ts';
 import { openTiff } from './open-tiff.ts';
 import type { TiffStack } from './open-tiff.ts';
 import { what } from './tiff-file.ts';
-import { joinPieces } from '../base/join-pieces.ts';
 
 /**
  * Reads the pages of a file as the slices of a volume; of several files of a stack, the pages of all of them. The first channel is shown.
@@ -31,17 +31,19 @@ export const readTiff: FormatReader = async (input, settings, context) => {
   const stack = await open(input.bytes);
   if (stack.layout.times > 1 && context.further.length === 0 && settings.scan && !context.isPart)
     return placeVolume(await openTimes(stack, settings, context), settings);
+  const stacks = [stack];
   const parts = [decodeTime(stack, 0, context, true)];
   for await (const { bytes, url } of context.fetchFiles(context.further)) {
     const next = await open(bytes);
     checkLike(stack, next, nameOf(url));
+    stacks.push(next);
     parts.push(decodeTime(next, 0, context, true));
     next.use.left.forEach((one) => stack.use.left.add(one));
   }
-  const { type } = stack.page;
-  const bytes = join(
-    parts.map((part) => part.bytes),
-    context,
+  const { type, scale, window, prepare } = joinScales(stacks, budget);
+  const bytes = joinParts(
+    parts.map((part, i) => prepare(stacks[i], part.bytes)),
+    budget,
   );
   const colors = parts.flatMap(({ rgb }) => rgb ?? []);
   const stored = storeSamples(bytes, type, hostIsLittleEndian, {
@@ -50,12 +52,12 @@ export const readTiff: FormatReader = async (input, settings, context) => {
     budget,
     chooseWhole: await wholeNumbersOf(type),
   });
-  const slices = bytes.length / pageBytes(stack.page);
+  const slices = stacks.reduce((sum, { layout }) => sum + layout.slices, 0);
   const { times } = stack.layout;
-  const { slope, intercept } = stack.layout.scale ?? plain;
+  const { slope, intercept } = scale ?? plain;
   return placeVolume(
     {
-      ...describe(stack, slices),
+      ...describe({ ...stack, layout: { ...stack.layout, scale, window } }, slices),
       ...listLeft(times, ...listOmitted(stack)),
       samples: stored.samples,
       slope: slope * stored.scale,
@@ -64,15 +66,12 @@ export const readTiff: FormatReader = async (input, settings, context) => {
       rounded: stored.rounded,
       unkept: stored.unkept,
       ...(colors.length === parts.length && {
-        colors: { rgb: join(colors, context), range: [0, whiteOf(stack.page)] },
+        colors: { rgb: joinParts(colors, budget), range: [0, whiteOf(stack.page)] },
       }),
     },
     settings,
   );
 };
-
-/** Numbers that are values. */
-const plain = { slope: 1, intercept: 0 };
 
 type Described = Pick<DecodedCartesianVolume, 'grid' | 'unit' | 'format' | 'window'>;
 
@@ -138,26 +137,6 @@ function decodeTime(
     decodePage(file, readPageAt(at), to, use);
   }
   return { bytes, rgb };
-}
-
-function checkLike({ page }: TiffStack, { page: next }: TiffStack, name: string): void {
-  const describe = ({ columns, rows, type }: TiffStack['page']): string =>
-    `${columns} x ${rows} pixels of ${type.name}`;
-  if (describe(page) !== describe(next))
-    throw corruptFile(
-      'the stack',
-      `got ${name} of ${describe(next)}; expected ${describe(page)} as in the first file: the slices of a volume are alike`,
-    );
-}
-
-/** @param parts - whose bytes are taken from the budget; one part is returned as it is */
-function join(parts: readonly Uint8Array<ArrayBuffer>[], { budget }: ReadContext): Uint8Array<ArrayBuffer> {
-  if (parts.length === 1) return parts[0];
-  const length = parts.reduce((sum, part) => sum + part.length, 0);
-  budget.take(length, 'the stack of TIFF files');
-  const all = joinPieces(parts);
-  budget.giveBack(length);
-  return all;
 }
 
 /** Several times: each is unpacked once, and kept by the browser. */

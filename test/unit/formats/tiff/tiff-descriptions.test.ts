@@ -84,10 +84,25 @@ describe('the lengths of an ImageJ TIFF', () => {
     ['in pixels without a width', 'unit=pixel\nspacing=3', {}, [1, 1, 3]],
     ['with the dots of a printer', 'spacing=3', resolution(72, 2), [1, 1, 1]],
     ['in micrometres, of pixels per centimetre', 'unit=um\nspacing=3', resolution(20_000, 3), [5e-4, 5e-4, 3e-3]],
+    // Source: ImageJ 1.54, Calibration, setYUnit and setZUnit: numbers stay, and are in these units.
+    ['with y and z in units of their own', 'unit=um\nyunit=mm\nzunit=nm\nspacing=3', resolution(), [5e-4, 0.5, 3e-6]],
+    ['with z in the same unit', 'unit=mm\nyunit=mm\nzunit=mm\nspacing=3', resolution(), [0.5, 0.5, 3]],
+    ['with y in no unit of length', 'unit=um\nyunit=pixel\nspacing=3', resolution(), [1, 1, 1]],
   ] as const)
     it(`are right ${what}`, async () => {
       expect(spacingOf(await imageJ(lines, entries))).to.deep.equal(expected);
     });
+
+  it('are those of the pixels for slices that are apart by something else, and that is said', async () => {
+    for (const [units, expected] of [
+      ['unit=um\nzunit=sec\nspacing=3', 5e-4],
+      ['unit=pixel\nzunit=um\nspacing=3', 0.5],
+    ] as const) {
+      const volume = await imageJ(units, resolution());
+      expect([spacingOf(volume), volume.left?.length], units).to.deep.equal([[expected, expected, expected], 1]);
+      expect(volume.left![0]).to.match(/^the distance of the slices/);
+    }
+  });
 
   it('are right where the micro sign is a byte of Latin-1', async () => {
     const lines = 'ImageJ=1.54f\nimages=2\nslices=2\nunit=\u00b5m\nspacing=3\n';
