@@ -9,7 +9,7 @@ import { readAttributes } from './attributes.ts';
 import { listChunks } from './chunks.ts';
 import type { Chunk } from './chunks.ts';
 import { copyBox } from './copy-box.ts';
-import { readFilters, undoFilters } from './filters.ts';
+import { readFilters, scaleOffset, undoFilters } from './filters.ts';
 import type { Filter } from './filters.ts';
 import { readTextsElsewhere } from './global-heap.ts';
 import { corruptHdf5, Cursor, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
@@ -175,8 +175,8 @@ export class Hdf5Dataset implements DataArray {
     const { budget } = this.#file;
     const isPlain = layout.hasPlainEdges && chunk.start.some((at, axis) => at + layout.chunk[axis] > this.shape[axis]);
     const filters = isPlain ? [] : this.#filters;
-    // Refuse a size that the stored bytes can't expand to before memory is allocated.
-    if (expected > maxDeflateRatio * chunk.bytes)
+    // Refuse a size that the stored bytes can't expand to before memory is allocated. Scale-offset has no limit: no bits for equal numbers.
+    if (expected > maxDeflateRatio * chunk.bytes && !filters.some(({ id }) => id === scaleOffset))
       throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
     const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), filters, {
       skipped: chunk.skipped,

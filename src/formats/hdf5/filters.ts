@@ -7,6 +7,7 @@ import type { Remedy } from './advice.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import type { Message } from './object-header.ts';
+import { scaleOffsetHead, unpackScaleOffset } from './scale-offset.ts';
 
 /** A step that was applied to each chunk when it was written. */
 export interface Filter {
@@ -18,10 +19,10 @@ export interface Filter {
 const deflate = 1;
 const shuffle = 2;
 const fletcher32 = 3;
+export const scaleOffset = 6;
 const names = new Map([
   [4, 'SZIP'],
   [5, 'N-bit'],
-  [6, 'scale-offset'],
   [307, 'bzip2'],
   [32000, 'LZF'],
   [32001, 'Blosc'],
@@ -33,9 +34,11 @@ const names = new Map([
 const remedies = new Map<number, Remedy>([
   [4, 'repack'],
   [5, 'repack'],
-  [6, 'repack'],
   [32000, 'h5py'],
 ]);
+
+/** Bytes that filters before the last deflate may add: a checksum, and what scale-offset begins with. */
+const added = 4 + scaleOffsetHead;
 
 /** Unpacking so many bytes counts as one step. */
 const bytesPerStep = 16;
@@ -81,14 +84,20 @@ export function undoFilters(
   for (let i = filters.length - 1; i >= 0; i--) {
     if (skipped & (1 << i)) continue;
     const { id, name, parameters } = filters[i];
-    const made = id === deflate ? Math.min(expected + 4, maxDeflateRatio * bytes.length) : bytes.length;
+    const made =
+      id === deflate
+        ? Math.min(expected + added, maxDeflateRatio * bytes.length)
+        : id === scaleOffset
+          ? expected
+          : bytes.length;
     budget.take(made, 'a compressed chunk');
     // Output beyond the expected size is thrown away, but it still takes time.
+    if (id === scaleOffset) budget.step(expected / 8, 'a compressed chunk');
     if (id === deflate) budget.step((maxDeflateRatio * bytes.length) / bytesPerStep, 'a compressed chunk');
-    // A checksum may come before the last deflate: four bytes more.
-    if (id === deflate) bytes = inflate(bytes, expected + 4);
+    if (id === deflate) bytes = inflate(bytes, expected + added);
     else if (id === shuffle) bytes = unshuffle(bytes, parameters[0] ?? 1);
     else if (id === fletcher32) bytes = checkFletcher32(bytes);
+    else if (id === scaleOffset) bytes = unpackScaleOffset(bytes, parameters, expected);
     else throw unsupportedHdf5(`data compressed with ${name}`, remedies.get(id) ?? 'repack-with-plugin');
     budget.giveBack(made);
   }

@@ -13,7 +13,7 @@ import { openBytes } from './superblock.ts';
 // Our own reader, because the bytes come from strangers. The libraries that we tried follow a damaged file's loops
 // forever, allocate whatever it asks for, or are a megabyte of WebAssembly. It reads what radar files and NetCDF-4 use:
 // superblocks 0 to 3, both forms of groups and attributes, soft links, compact, contiguous and chunked arrays (B-trees
-// of version 1, single chunks, fixed arrays), deflate, shuffle and checksums. Everything else is `format/unsupported`,
+// of version 1, single chunks, fixed arrays), deflate, shuffle, scale-offset and checksums. Everything else is `format/unsupported`,
 // with a message.
 
 /** Maximum number of soft links in a row, as in HDF5's own library. */
