@@ -12,7 +12,7 @@ export function isBidsTable(text: string): boolean {
 
 /**
  * Reads a BIDS table: columns `index`, `name`, `abbreviation`, `color` and `mapping` in any order, separated by tabs;
- * `n/a` means no value.
+ * `n/a` means no value. Cells may be in quotes, as those with tabs are, which pandas writes so.
  * Source: Brain Imaging Data Structure 1.10, Imaging data derivative, "Custom labels" (`*_dseg.tsv`), and its common
  * principles for tabular files
  */
@@ -24,7 +24,7 @@ export function readBidsTable(text: string): LabelTable {
       columns = columnsOf(line);
       continue;
     }
-    const cells = line.split('\t');
+    const cells = splitCells(line);
     const cell = (name: string): string | undefined => cells[columns!.indexOf(name)];
     const index = cell('index')?.trim() ?? '';
     if (!/^[+-]?\d+(\.0+)?$/.test(index)) {
@@ -42,7 +42,19 @@ export function readBidsTable(text: string): LabelTable {
 }
 
 function columnsOf(line: string): string[] {
-  return line.split('\t').map((column) => column.trim().toLowerCase());
+  return splitCells(line).map((column) => column.trim().toLowerCase());
+}
+
+/** Longer lines are none of names. */
+const longestLine = 10_000;
+
+/** A quote in quotes is written twice. A quote that does not begin a cell is a sign as others are. */
+function splitCells(line: string): string[] {
+  if (!line.includes('"') || line.length > longestLine) return line.split('\t');
+  return Array.from(
+    line.matchAll(/(?:"((?:[^"]|"")*)"|([^\t]*))(?:\t|$)/g),
+    ([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain,
+  );
 }
 
 function readHex(text: string): ReturnType<typeof colorOf> {

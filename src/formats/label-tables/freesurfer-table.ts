@@ -11,14 +11,48 @@ interface Row {
 
 const isWhole = (word: string): boolean => /^[+-]?\d{1,10}$/.test(word);
 
-/**
- * Id, name, red, green, blue, then alpha, and in some tables the tissue type. FreeSurfer's names have no blanks; other
- * programs' names may.
- */
-function readRow(line: string): Row | null {
+/** Numbers after a name: red, green, blue, then alpha, and in some tables the tissue type. */
+const [fewest, usual, most] = [3, 4, 5];
+
+/** The words of a line, and how many of the last ones are numbers. */
+interface Words {
+  readonly words: readonly string[];
+  readonly numbers: number;
+}
+
+function splitLine(line: string): Words {
   const words = line.slice(0, 2000).trim().split(/\s+/);
-  const first = words.findIndex((_, i) => i >= 2 && words.length - i <= 5 && words.slice(i).every(isWhole));
-  if (first < 0 || words.length - first < 3 || !isWhole(words[0])) return null;
+  let numbers = 0;
+  while (numbers < Math.min(most, words.length - 2) && isWhole(words[words.length - 1 - numbers])) numbers++;
+  return { words, numbers };
+}
+
+/**
+ * How many numbers follow the names of a table. FreeSurfer's names have no blanks; other programs' names may, and may end in a number: "area
+ * 17". In a table with tissue types most rows have one alpha.
+ */
+function countNumbers(text: string): number {
+  const alphas = new Map<string, number>();
+  let [all, withFewest, withMost, alike] = [0, 0, 0, 0];
+  for (const { line } of linesOf(text, '#')) {
+    const { words, numbers } = splitLine(line);
+    if (numbers < fewest) continue;
+    all++;
+    if (numbers === fewest) withFewest++;
+    if (numbers !== most) continue;
+    withMost++;
+    const alpha = words[words.length - 2];
+    const same = (alphas.get(alpha) ?? 0) + 1;
+    alphas.set(alpha, same);
+    alike = Math.max(alike, same);
+  }
+  if (2 * withMost > all && 2 * alike > withMost) return most;
+  return 2 * withFewest > all ? fewest : usual;
+}
+
+function readRow({ words, numbers: found }: Words, expected: number): Row | null {
+  const first = words.length - Math.min(found, expected);
+  if (found < fewest || !isWhole(words[0])) return null;
   const [red, green, blue, alpha = 0] = words.slice(first).map(Number);
   const numbers = [red, green, blue, alpha];
   return numbers.every((number) => number >= 0 && number <= 255)
@@ -27,7 +61,10 @@ function readRow(line: string): Row | null {
 }
 
 export function isFreeSurferTable(text: string): boolean {
-  for (const { line } of linesOf(text.slice(0, 65_536), '#')) return readRow(line) !== null;
+  for (const { line } of linesOf(text.slice(0, 65_536), '#')) {
+    const words = splitLine(line);
+    return readRow(words, words.numbers) !== null;
+  }
   return false;
 }
 
@@ -39,8 +76,9 @@ export function isFreeSurferTable(text: string): boolean {
 export function readFreeSurferTable(text: string): LabelTable {
   const rows = new TableRows();
   const found: (Row & { readonly where: string })[] = [];
+  const expected = countNumbers(text);
   for (const { where, line } of linesOf(text, '#')) {
-    const row = readRow(line);
+    const row = readRow(splitLine(line), expected);
     if (row) found.push({ where, ...row });
     else rows.refuse(where, quote(line), 'an id, a name, and red, green, blue and alpha from 0 to 255');
   }

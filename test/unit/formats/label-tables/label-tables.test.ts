@@ -49,6 +49,42 @@ describe('tables of labels', () => {
     expect(listOf(read('5 Inner ear, left 1 2 3\n'))).to.deep.equal([[5, 'Inner ear, left', [1, 2, 3], 1, false]]);
   });
 
+  it('of BIDS: cells in quotes, as pandas 3.1.1 writes names with tabs and quotes', () => {
+    // pandas.DataFrame(...).to_csv(sep="\t", index=False)
+    const table = read(
+      'index\tname\tcolor\n1\t"He said ""x"""\t#ff0000\n2\t"a\tb"\t#00ff00\n3\tthe "x" area\t#0000ff\n4\t"open\t#010203\n',
+    );
+    expect(table.problems).to.deep.equal([]);
+    expect(listOf(table)).to.deep.equal([
+      [1, 'He said "x"', [255, 0, 0], 1, false],
+      [2, 'a b', [0, 255, 0], 1, false],
+      [3, 'the "x" area', [0, 0, 255], 1, false],
+      [4, '"open', [1, 2, 3], 1, false],
+    ]);
+  });
+
+  it('of FreeSurfer: names with blanks may end in a number', () => {
+    const named = [
+      [1, 'Brodmann area 17', [222, 149, 10], 1, false],
+      [2, 'V 2', [60, 46, 205], 1, false],
+      [3, 'White matter', [1, 2, 3], 1, false],
+    ];
+    const more = [4, 5].map((id) => [id, 'a', [1, 2, 3], 1, false]);
+    const rows = ['1 Brodmann area 17 222 149 10', '2 V 2 60 46 205', '3 White matter 1 2 3', '4 a 1 2 3', '5 a 1 2 3'];
+    expect(listOf(read(rows.join('\n')))).to.deep.equal([...named, ...more]);
+    const withAlpha = rows.map((row) => `${row} 0`);
+    expect(listOf(read(withAlpha.join('\n')))).to.deep.equal([...named, ...more]);
+    // All names end in a number: what would be alpha differs from row to row.
+    expect(listOf(read(withAlpha.slice(0, 2).join('\n')))).to.deep.equal(named.slice(0, 2));
+    // FreeSurfer's own tables with tissue types, a number after alpha.
+    const withTypes = '0 Unknown 0 0 0 0 0\n2 Left-White 245 245 245 0 2\n4 Left-Ventricle 120 18 134 0 4';
+    expect(listOf(read(withTypes))).to.deep.equal([
+      [0, 'Unknown', [0, 0, 0], 1, false],
+      [2, 'Left-White', [245, 245, 245], 1, false],
+      [4, 'Left-Ventricle', [120, 18, 134], 1, false],
+    ]);
+  });
+
   it('of ITK-SNAP: A is 0 to 1, and VIS hides', () => {
     // As ITK-SNAP 3 and 4 write them: IDX R G B A VIS MSH LABEL.
     const table = read(
