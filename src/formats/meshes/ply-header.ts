@@ -89,7 +89,8 @@ function readProperty(words: readonly string[]): PlyProperty {
         `has numbers of the type "${one.slice(0, 40)}"; expected one of ${Object.keys(sizes).join(', ')}`,
       );
   }
-  return { name, type, countType };
+  // Older names of red, green and blue.
+  return { name: name.replace(/^diffuse_/, ''), type, countType };
 }
 
 /** Bytes of one number. */

@@ -45,7 +45,7 @@ export function readPly(bytes: Uint8Array): Mesh {
     indices: indices!,
     space: readSpace(header.comments),
     format: 'PLY',
-    ...listLeft(header.elements),
+    ...listLeft(header.elements, data!.colors ? null : faces),
   };
 }
 
@@ -56,10 +56,12 @@ const shapes: Readonly<Record<string, string>> = {
   material: 'materials',
 };
 
-function listLeft(elements: readonly PlyElement[]): Pick<Mesh, 'left'> {
+/** @param faces - where vertices have no colours, and these may */
+function listLeft(elements: readonly PlyElement[], faces: PlyElement | null): Pick<Mesh, 'left'> {
   const others = elements
     .filter(({ name, count }) => Object.hasOwn(shapes, name) && count > 0)
     .map(({ name, count }) => `${count.toLocaleString('en')} ${shapes[name]}`);
+  if (faces?.properties.some(({ name }) => name === 'red')) others.push('colours of faces');
   return others.length > 0 ? { left: [`not shown: ${others.join(', ')}`] } : {};
 }
 

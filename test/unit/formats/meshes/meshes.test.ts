@@ -72,6 +72,21 @@ describe('files of surfaces', () => {
       expect(Math.max(...box.normals.subarray(i, i + 3).map(Math.abs))).to.equal(1);
   });
 
+  it('of PLY may have colours by older names, and those of faces are said', async () => {
+    const ply = (vertex: string, colors: string, face: string, own: string): string =>
+      `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n${vertex}element face 1\nproperty list uchar int vertex_index\n${face}end_header\n${[0, 1, 2].map((i) => `${i} ${i * i} 0${colors}\n`).join('')}3 0 1 2${own}\n`;
+    const names = (before: string): string =>
+      ['red', 'green', 'blue'].map((name) => `property uchar ${before}${name}\n`).join('');
+    // vtkPLYReader (VTK 9.7.2) reads diffuse_red as red, too.
+    for (const before of ['', 'diffuse_']) {
+      const { parts, notes } = await surfaceOf(ply(names(before), ' 255 51 0', '', ''));
+      expect([...parts[0].colors!.subarray(0, 3)]).to.deep.equal([1, Math.fround(0.2), 0]);
+      expect(notes).to.deep.equal([]);
+    }
+    const { parts, notes } = await surfaceOf(ply('', '', names(''), ' 255 51 0'));
+    expect([parts[0].colors, notes]).to.deep.equal([null, ['not shown: colours of faces']]);
+  });
+
   it('say which way their axes run, and an attribute says it better', async () => {
     const stl = (title: string): string =>
       `solid ${title}\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 2 2 3\nvertex 1 4 3.5e0\nendloop\nendfacet\nendsolid\n`;
@@ -153,7 +168,7 @@ describe('files of surfaces', () => {
         header,
       ).to.match(/^format\/corrupt: the PLY has /);
     expect(await refusalOf('# vtk DataFile Version 3.0')).to.match(
-      /^format\/unknown: some\.mesh is a VTK; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF/,
+      /^format\/unknown: some\.mesh is a VTK; expected a surface of triangles: STL, OBJ, PLY, GIfTI, FreeSurfer or glTF/,
     );
     expect(await refusalOf('<!doctype html><p>Not found')).to.match(/^format\/unknown: some\.mesh is a web page/);
     expect(await refusalOf('hello')).to.match(/^format\/unknown/);
