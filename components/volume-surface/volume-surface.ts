@@ -29,7 +29,7 @@ export interface VolumeSurfaceInfo {
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good surface stays
  */
 export class VolumeSurface extends SurfaceElement {
-  /** A file with triangles: STL, OBJ, PLY, GIfTI, FreeSurfer or glTF, or one of these packed with gzip. */
+  /** A file with triangles: STL, OBJ, PLY, VTK (legacy), GIfTI, FreeSurfer or glTF, or one of these packed with gzip. */
   @property() src!: string | null;
 
   /** A CSS colour. By default the colours of the file where it has some, else a warm white. */

@@ -12,7 +12,7 @@ import { isBinaryStl, isTextStl, readStl } from './stl.ts';
 /** Other formats in which people have surfaces, and what to do with such files. */
 const others: readonly (readonly [name: string, is: (text: string, bytes: Uint8Array) => boolean])[] = [
   ['FreeSurfer file without triangles', (_, [a, b, c]) => a === 255 && b === 255 && (c === 253 || c === 255)],
-  ['VTK', (text) => /^# vtk DataFile/i.test(text) || /<VTKFile\b/.test(text)],
+  ['VTK file in XML', (text) => /<VTKFile\b/.test(text)],
   ['zip archive', (text) => text.startsWith('PK\u0003\u0004')],
   ['web page', (text) => /^\s*<(!doctype html|html)\b/i.test(text)],
 ];
@@ -29,6 +29,7 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
   // Its mark, 0xfffffe.
   if (text.startsWith('\u00ff\u00ff\u00fe'))
     return (await loadReader(() => import('./freesurfer.ts'))).readFreeSurfer(plain);
+  if (/^# vtk DataFile/i.test(text)) return (await loadReader(() => import('./vtk.ts'))).readVtk(plain);
   if (isBinaryStl(plain)) return readStl(plain);
   if (text.startsWith('glTF') || isGltfJson(text, plain))
     return (await loadReader(() => import('./gltf.ts'))).readGltf(plain);
@@ -54,7 +55,7 @@ function isGltfJson(text: string, bytes: Uint8Array): boolean {
 function unknown(name: string, what: string): VolumeViewError {
   return new VolumeViewError(
     'format/unknown',
-    `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, GIfTI, FreeSurfer or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`,
+    `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, VTK (legacy), GIfTI, FreeSurfer or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`,
   );
 }
 

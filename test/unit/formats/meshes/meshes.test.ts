@@ -167,8 +167,8 @@ describe('files of surfaces', () => {
         ),
         header,
       ).to.match(/^format\/corrupt: the PLY has /);
-    expect(await refusalOf('# vtk DataFile Version 3.0')).to.match(
-      /^format\/unknown: some\.mesh is a VTK; expected a surface of triangles: STL, OBJ, PLY, GIfTI, FreeSurfer or glTF/,
+    expect(await refusalOf('<VTKFile type="PolyData">')).to.match(
+      /^format\/unknown: some\.mesh is a VTK file in XML; expected a surface of triangles: STL, OBJ, PLY, VTK \(legacy\), GIfTI/,
     );
     expect(await refusalOf('<!doctype html><p>Not found')).to.match(/^format\/unknown: some\.mesh is a web page/);
     expect(await refusalOf('hello')).to.match(/^format\/unknown/);
