@@ -46,7 +46,7 @@ export class VolumeLabels extends AttachmentElement<LabelTarget> {
    */
   @property() src!: string | null;
 
-  /** A table of names and colours in a format of BIDS, FreeSurfer, ITK-SNAP or NiiVue. */
+  /** A table of names and colours in a format of BIDS, FreeSurfer, ITK-SNAP, 3D Slicer or NiiVue. */
   @property() table!: string | null;
 
   /**

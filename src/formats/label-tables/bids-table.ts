@@ -1,4 +1,4 @@
-import { colorOf, linesOf, quote, TableRows } from './label-table.ts';
+import { colorOf, linesOf, quote, splitCells, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 
 const isNone = (cell: string | undefined): boolean =>
@@ -24,7 +24,7 @@ export function readBidsTable(text: string): LabelTable {
       columns = columnsOf(line);
       continue;
     }
-    const cells = splitCells(line);
+    const cells = splitCells(line, '\t');
     const cell = (name: string): string | undefined => cells[columns!.indexOf(name)];
     const index = cell('index')?.trim() ?? '';
     if (!/^[+-]?\d+(\.0+)?$/.test(index)) {
@@ -42,19 +42,7 @@ export function readBidsTable(text: string): LabelTable {
 }
 
 function columnsOf(line: string): string[] {
-  return splitCells(line).map((column) => column.trim().toLowerCase());
-}
-
-/** Longer lines are none of names. */
-const longestLine = 10_000;
-
-/** A quote in quotes is written twice. A quote that does not begin a cell is a sign as others are. */
-function splitCells(line: string): string[] {
-  if (!line.includes('"') || line.length > longestLine) return line.split('\t');
-  return Array.from(
-    line.matchAll(/(?:"((?:[^"]|"")*)"|([^\t]*))(?:\t|$)/g),
-    ([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain,
-  );
+  return splitCells(line, '\t').map((column) => column.trim().toLowerCase());
 }
 
 function readHex(text: string): ReturnType<typeof colorOf> {

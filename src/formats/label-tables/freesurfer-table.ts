@@ -70,8 +70,10 @@ export function isFreeSurferTable(text: string): boolean {
 
 /**
  * Reads a FreeSurfer colour table: `No. Label-Name R G B A`. A is transparency: 0 is opaque, 255 is invisible. Some
- * programs (3D Slicer, MRtrix) write 255 for opaque in the same table: if all labels have 255, it means opaque.
- * Source: FreeSurfer, `FreeSurferColorLUT.txt`, and `CTABreadASCII` of its utils/colortab.cpp: alpha = 255 - t
+ * programs (3D Slicer, MRtrix) write 255 for opaque in the same table: it means so where 3D Slicer says that it wrote it, and where most labels
+ * have 255, as nobody hides most of them.
+ * Source: FreeSurfer, `FreeSurferColorLUT.txt`, and `CTABreadASCII` of its utils/colortab.cpp: alpha = 255 - t; 3D Slicer, developer guide,
+ * "Color table text file format"
  */
 export function readFreeSurferTable(text: string): LabelTable {
   const rows = new TableRows();
@@ -83,7 +85,9 @@ export function readFreeSurferTable(text: string): LabelTable {
     else rows.refuse(where, quote(line), 'an id, a name, and red, green, blue and alpha from 0 to 255');
   }
   const things = found.filter(({ id }) => id !== 0);
-  const isOpacity = things.length > 0 && things.every(({ numbers }) => numbers[3] === 255);
+  const isOpacity =
+    /^\s*# Color table file\b/.test(text) ||
+    2 * things.filter(({ numbers }) => numbers[3] === 255).length > things.length;
   for (const { where, id, name, numbers } of found) {
     const opacity = (isOpacity ? numbers[3] : 255 - numbers[3]) / 255;
     rows.add(where, { id, name, color: colorOf(numbers.slice(0, 3)), opacity, hidden: false });

@@ -94,6 +94,18 @@ export function* linesOf(
   }
 }
 
+/** Longer lines are none of names. */
+const longestLine = 10_000;
+
+/** A quote in quotes is written twice. A quote that does not begin a cell is a sign as others are. */
+export function splitCells(line: string, separator: '\t' | ','): string[] {
+  if (!line.includes('"') || line.length > longestLine) return line.split(separator);
+  return Array.from(
+    line.matchAll(new RegExp(`(?:"((?:[^"]|"")*)"|([^${separator}]*))(?:${separator}|$)`, 'g')),
+    ([, quoted, plain]) => quoted?.replaceAll('""', '"') ?? plain,
+  );
+}
+
 /** A colour of three numbers from 0 to 255; null if they are not in that range. */
 export function colorOf(channels: readonly number[]): Color | null {
   if (channels.length !== 3 || !channels.every((channel) => channel >= 0 && channel <= 255)) return null;

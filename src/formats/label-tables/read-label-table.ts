@@ -4,6 +4,7 @@ import { isFreeSurferTable, readFreeSurferTable } from './freesurfer-table.ts';
 import { isItkSnapTable, readItkSnapTable } from './itk-snap-table.ts';
 import type { LabelTable } from './label-table.ts';
 import { isNiiVueTable, readNiiVueTable } from './niivue-table.ts';
+import { isSlicerTable, readSlicerTable } from './slicer-table.ts';
 
 /** Maximum bytes of a table. */
 export const maxTableBytes = 2 ** 22;
@@ -12,12 +13,13 @@ export const maxTableBytes = 2 ** 22;
 const readers = [
   { matches: isNiiVueTable, read: readNiiVueTable },
   { matches: isBidsTable, read: readBidsTable },
+  { matches: isSlicerTable, read: readSlicerTable },
   { matches: isItkSnapTable, read: readItkSnapTable },
   { matches: isFreeSurferTable, read: readFreeSurferTable },
 ] as const;
 
 const expected =
-  'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL") or NiiVue (JSON with R, G, B, I, labels) write them';
+  'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL"), 3D Slicer (LabelValue, Name, Color_R …) or NiiVue (JSON with R, G, B, I, labels) write them';
 
 /**
  * Reads a table of label names and colours in any of the known formats.

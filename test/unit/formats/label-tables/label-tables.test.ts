@@ -63,6 +63,33 @@ describe('tables of labels', () => {
     ]);
   });
 
+  it('of 3D Slicer: A is opacity', () => {
+    // Examples of its developer guide, "Colors", with other opacities.
+    const text =
+      '# Color table file /tmp/Segmentation-label_ColorTable.ctbl\n# 4 values\n0 Background 0 0 0 0\n1 artery 216 101 79 51\n2 bone 241 214 145 0\n';
+    expect(listOf(read(text))).to.deep.equal([
+      [0, 'Background', [0, 0, 0], 0, false],
+      [1, 'artery', [216, 101, 79], 0.2, false],
+      [2, 'bone', [241, 214, 145], 0, false],
+    ]);
+    expect(listOf(read('1 artery 216 101 79 51\n2 bone 241 214 145 255\n3 vein 1 2 3 255'))).to.deep.equal([
+      [1, 'artery', [216, 101, 79], 0.2, false],
+      [2, 'bone', [241, 214, 145], 1, false],
+      [3, 'vein', [1, 2, 3], 1, false],
+    ]);
+    const table = read(
+      'LabelValue,Name,Color_R,Color_G,Color_B,Color_A,Type_CodeMeaning\r\n1,left_kidney,185,102,83,255,Kidney\r\n10,,127,127,127,51,"Catheter, renal"\r\n5,mass,300,0,0,,\r\nx,y,1,2,3,4,\r\n',
+    );
+    expect(table.format).to.equal('3D Slicer');
+    expect(listOf(table)).to.deep.equal([
+      [1, 'left_kidney', [185, 102, 83], 1, false],
+      [10, 'Catheter, renal', [127, 127, 127], 0.2, false],
+      [5, 'mass', null, 1, false],
+    ]);
+    expect(table.problems.map((problem) => problem.slice(0, 6))).to.deep.equal(['line 4', 'line 5']);
+    expect(listOf(read('LabelValue,Color_R,Color_G,Color_B\n3,1,2,3'))).to.deep.equal([[3, '', [1, 2, 3], 1, false]]);
+  });
+
   it('of FreeSurfer: names with blanks may end in a number', () => {
     const named = [
       [1, 'Brodmann area 17', [222, 149, 10], 1, false],
