@@ -32,10 +32,13 @@ const dictionary = {
   EchoTime: [0x00180081, 'DS'],
   SpacingBetweenSlices: [0x00180088, 'DS'],
   TriggerTime: [0x00181060, 'DS'],
+  FrameTime: [0x00181063, 'DS'],
+  FrameTimeVector: [0x00181065, 'DS'],
   RadiopharmaceuticalStartTime: [0x00181072, 'TM'],
   RadionuclideTotalDose: [0x00181074, 'DS'],
   RadionuclideHalfLife: [0x00181075, 'DS'],
   RadiopharmaceuticalStartDateTime: [0x00181078, 'DT'],
+  ActualFrameDuration: [0x00181242, 'IS'],
   FrameAcquisitionDateTime: [0x00189074, 'DT'],
   EffectiveEchoTime: [0x00189082, 'FD'],
   MREchoSequence: [0x00189114, 'SQ'],
@@ -65,6 +68,7 @@ const dictionary = {
   PhotometricInterpretation: [0x00280004, 'CS'],
   PlanarConfiguration: [0x00280006, 'US'],
   NumberOfFrames: [0x00280008, 'IS'],
+  FrameIncrementPointer: [0x00280009, 'AT'],
   Rows: [0x00280010, 'US'],
   Columns: [0x00280011, 'US'],
   PixelSpacing: [0x00280030, 'DS'],
@@ -106,8 +110,20 @@ const dictionary = {
   RealWorldValueSlope: [0x00409225, 'FD'],
   RadiopharmaceuticalInformationSequence: [0x00540016, 'SQ'],
   DetectorInformationSequence: [0x00540022, 'SQ'],
+  EnergyWindowVector: [0x00540010, 'US'],
+  DetectorVector: [0x00540020, 'US'],
+  PhaseVector: [0x00540030, 'US'],
+  PhaseInformationSequence: [0x00540032, 'SQ'],
+  NumberOfFramesInPhase: [0x00540033, 'US'],
+  PhaseDelay: [0x00540036, 'IS'],
+  PauseBetweenFrames: [0x00540038, 'IS'],
+  RotationVector: [0x00540050, 'US'],
+  RRIntervalVector: [0x00540060, 'US'],
+  GatedInformationSequence: [0x00540062, 'SQ'],
+  DataInformationSequence: [0x00540063, 'SQ'],
   TimeSlotVector: [0x00540070, 'US'],
   SliceVector: [0x00540080, 'US'],
+  AngularViewVector: [0x00540090, 'US'],
   TimeSliceVector: [0x00540100, 'US'],
   Units: [0x00541001, 'CS'],
   SUVType: [0x00541006, 'CS'],
@@ -279,6 +295,9 @@ function valueBytes(value: DicomValue, vr: string, isBigEndian = false): number[
   }
   if (value instanceof Uint8Array) return [...value, ...(value.length % 2 ? [0] : [])];
   const numbers = value as readonly number[];
+  // A tag: its group and its number.
+  if (vr === 'AT')
+    return numbers.flatMap((id) => [id >>> 16, id & 0xffff].flatMap((word) => numberBytes(word, 2, isBigEndian)));
   // Texts of numbers.
   if (!(vr in widths)) return valueBytes(numbers.join('\\'), vr);
   return numbers.flatMap((number) => {

@@ -76,14 +76,26 @@ const numberOf = ({ traits }: Frame, trait: string): number | undefined => {
   return typeof value === 'number' ? value : undefined;
 };
 
+/** Each picture as a time of its own, in their order. */
+export function listTimes(frames: readonly Frame[]): Phases {
+  const seconds = frames.map(({ flat }) => flat?.seconds ?? NaN);
+  const areTimes = areAscending(seconds);
+  const all = frames.map((frame) => [frame]);
+  return { frames: all, times: areTimes ? seconds.map(sayTime) : findTimes(all) };
+}
+
+/** Times of the day are rounded to microseconds. */
+const sayTime = (seconds: number): string | null => timeText(Math.round(1e6 * seconds) / 1e6, 's');
+
+const areAscending = (starts: readonly number[]): boolean =>
+  starts.every((start, i) => Number.isFinite(start) && (i === 0 || start > starts[i - 1]));
+
 /** Seconds from the first time on. The slices of one time may be measured one after another: the earliest of them counts. */
 function findTimes(phases: readonly (readonly Frame[])[]): (string | null)[] {
   for (const [trait, toSeconds] of timeTraits) {
     if (!toSeconds) continue;
     const starts = phases.map((frames) => Math.min(...frames.map((frame) => toSeconds(numberOf(frame, trait) ?? NaN))));
-    if (starts.every((start, i) => Number.isFinite(start) && (i === 0 || start > starts[i - 1])))
-      // Times of the day are rounded to microseconds.
-      return starts.map((start) => timeText(Math.round(1e6 * (start - starts[0])) / 1e6, 's'));
+    if (areAscending(starts)) return starts.map((start) => sayTime(start - starts[0]));
   }
   return phases.map(() => null);
 }

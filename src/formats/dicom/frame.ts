@@ -1,4 +1,5 @@
 import type { Vector3 } from '../../volume/matrix.ts';
+import type { FlatPicture } from './flat-pictures.ts';
 import type { Picture } from './picture.ts';
 import type { ValueTable } from './value-table.ts';
 import type { FileWindows } from './windows.ts';
@@ -38,6 +39,8 @@ export interface Frame {
   readonly unit: string;
   /** Of its values. They are read when they are asked for: files may have thousands of frames. */
   readonly windows: () => FileWindows;
+  /** What it is where it is no slice of a volume; null for a slice. */
+  readonly flat: FlatPicture | null;
   /** What may differ between pictures of one plane. */
   readonly traits: ReadonlyMap<string, string | number>;
 }

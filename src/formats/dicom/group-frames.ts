@@ -2,7 +2,7 @@
 import { invalidAttribute } from '../../core/errors.ts';
 import { dot, length, subtract } from '../../volume/matrix.ts';
 import type { Budget } from '../base/budget.ts';
-import { findPhases } from './find-phases.ts';
+import { findPhases, listTimes } from './find-phases.ts';
 import type { Phases } from './find-phases.ts';
 import type { Frame, Plane } from './frame.ts';
 
@@ -69,10 +69,11 @@ export function chooseFrames(
   const isCandidate = candidates.includes(chosen);
   const localizers = isCandidate ? series.slice(candidates.length).flatMap(({ group }) => group).length : 0;
   const others = (isCandidate ? candidates : series).filter((one) => one !== chosen).map(({ group }) => group.length);
+  const size = chosen.group[0].flat ? ', size, view or film' : ' or size';
   const elsewhere = [
     ...(others.length > 0
       ? [
-          `${others.length > 1 ? `${others.length} other series, or parts of other orientation or size` : 'another series, or a part of another orientation or size'}, with ${listCounts(others)}: ${wanted ? `number ${wanted}` : `the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''}`} is shown`,
+          `${others.length > 1 ? `${others.length} other series, or parts of other orientation${size}` : `another series, or a part of another orientation${size}`}, with ${listCounts(others)}: ${wanted ? `number ${wanted}` : `the one with the most voxels${gray.length > 0 && gray.length < candidates.length ? ' that is in gray' : ''}`} is shown`,
         ]
       : []),
     ...(localizers > 0
@@ -117,8 +118,9 @@ function groupFrames(all: readonly Frame[], budget: Budget): Frame[][] {
   const groups: Frame[][] = [];
   const byKey = new Map<string, Frame[][]>();
   for (const frame of all) {
-    const { series, columns, rows, unit, isLocalizer, position, picture } = frame;
-    const key = [series, columns, rows, unit, isLocalizer, position !== null, picture.colors !== null].join('\n');
+    const { series, columns, rows, unit, isLocalizer, position, picture, flat } = frame;
+    const isPlaced = position !== null;
+    const key = [series, columns, rows, unit, isLocalizer, isPlaced, picture.colors !== null, flat?.group].join('\n');
     const alike = byKey.get(key) ?? [];
     byKey.set(key, alike);
     budget.step(alike.length, 'the DICOM files');
@@ -186,6 +188,7 @@ export function placeAlong(frame: Pick<Frame, 'position'>, { plane }: Pick<Frame
 /** Of several frames at one place, those that are alike in what differs there. */
 function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
   const [first] = group;
+  if (first.flat) return takeFlat(group);
   if (group.some((frame) => placeAlong(frame, first) === null)) return { frames: sortByOrder(group), left: [] };
   let places = findPlaces(group);
   const most = Math.max(...places.map((at) => at.length));
@@ -208,6 +211,17 @@ function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
       ? describeOne(most, names)
       : 'pictures at the place of another one, from which they do not differ by what they say';
   return { frames: places.map(([frame]) => frame), left: [left], phases };
+}
+
+/** Of pictures that are no slices, one; all of them are times. */
+function takeFlat(group: readonly Frame[]): ChosenFrames {
+  const frames = sortByOrder(group);
+  const left = frames[0].flat!.isTurned
+    ? ['projections from several sides (raw data of a SPECT), which are no slices: reconstruct them to see a volume']
+    : [];
+  if (frames.length === 1) return { frames, left };
+  const one = `${frames.length} pictures of other times or views, which are no slices of a volume: one of them is shown`;
+  return { frames: frames.slice(0, 1), left: [one, ...left], phases: { ...listTimes(frames), left } };
 }
 
 function describeOne(most: number, names: readonly string[]): string {

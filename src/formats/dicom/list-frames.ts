@@ -2,13 +2,15 @@
 import { cross, dot, length, normalize, scale, add } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { DataSet } from './data-set.ts';
+import { findFlat } from './flat-pictures.ts';
+import type { FlatPicture } from './flat-pictures.ts';
 import type { Frame, Plane } from './frame.ts';
 import type { Picture } from './picture.ts';
 import { findRealWorld } from './real-world.ts';
 import { findMosaic } from './siemens-mosaic.ts';
 import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
-import { readTraits, readVectors } from './traits.ts';
+import { readFrameVector, readTraits, readVectors } from './traits.ts';
 import type { Find, FrameVectors } from './traits.ts';
 import { readValueTable } from './value-table.ts';
 import { readWindows } from './windows.ts';
@@ -18,6 +20,8 @@ export function listFrames(picture: Picture): Frame[] {
   const { set, frames, columns, rows } = picture;
   const offsets = set.numbers(tags.doseOffsets);
   const vectors = readVectors(picture);
+  const isPlaced = hasOwnPlaces(set);
+  const flatOf = isPlaced ? null : findFlat(picture);
   const mosaic = findMosaic(picture);
   if (mosaic) {
     const frame = describeFrame(picture, 0, vectors);
@@ -32,7 +36,8 @@ export function listFrames(picture: Picture): Frame[] {
   return Array.from({ length: frames }, (_, index) => {
     const frame = describeFrame(picture, index, vectors);
     const size = { ...frame, columns, rows };
-    if (frames === 1 || hasOwnPlaces(set) || !frame.position || !frame.plane) return size;
+    if (flatOf) return asFlat(size, flatOf(index));
+    if (frames === 1 || isPlaced || !frame.position || !frame.plane) return size;
     // All frames have the place of the first one, and the file says how far the others are from it.
     const slice = vectors.slices.length > 0 ? vectors.slices[index] - 1 : index;
     const along =
@@ -45,15 +50,24 @@ export function listFrames(picture: Picture): Frame[] {
 /** Nuclear medicine counts against the normal where the spacing is negative. Source: PS3.3, C.8.4.15 */
 const signedStep = (set: DataSet): number | undefined => set.number(tags.spacingBetweenSlices);
 
+/** Nobody knows where a camera stood that was turned. */
+const asFlat = (frame: Frame, flat: FlatPicture): Frame =>
+  flat.isTurned ? { ...frame, flat, position: null, plane: null } : { ...frame, flat };
+
+/** Whether the file says of each frame where it lies. One place for all of them is that of each. */
 function hasOwnPlaces(set: DataSet): boolean {
-  return set.items(sequences.frameGroups).some((item) => item.items(sequences.planePosition).length > 0);
+  return [...set.items(sequences.sharedGroups), ...set.items(sequences.frameGroups)].some(
+    (item) => item.items(sequences.planePosition).length > 0,
+  );
 }
 
 /** Finds an element: among those of the frame, among those that all frames share, among those of the file. */
-function finder(set: DataSet, index: number): Find {
+function finder({ set, frames }: Picture, index: number): Find {
   const own = set.items(sequences.frameGroups)[index] as DataSet | undefined;
   const shared = set.items(sequences.sharedGroups)[0] as DataSet | undefined;
-  const detector = set.items(sequences.detector)[0] as DataSet | undefined;
+  const detectors = set.items(sequences.detector);
+  const number = detectors.length > 1 ? (readFrameVector({ set, frames }, tags.detectorVector)[index] ?? 1) : 1;
+  const detector = detectors[number - 1] as DataSet | undefined;
   return (group, tag) => {
     for (const one of [own, shared]) {
       const found = group && one?.items(group)[0];
@@ -65,7 +79,7 @@ function finder(set: DataSet, index: number): Find {
 
 function describeFrame(picture: Picture, index: number, vectors: FrameVectors): Frame {
   const { set, columns, rows } = picture;
-  const find = finder(set, index);
+  const find = finder(picture, index);
   const imageType = set.texts(tags.imageType);
   const values = readValues(picture, index, find);
   return {
@@ -85,6 +99,7 @@ function describeFrame(picture: Picture, index: number, vectors: FrameVectors): 
     stack: find(sequences.frameContent, tags.stack).text(tags.stack),
     order: [set.number(tags.sliceLocation) ?? 0, set.number(tags.instance) ?? 0, index],
     ...values,
+    flat: null,
     traits: readTraits(picture, index, find, vectors),
   };
 }

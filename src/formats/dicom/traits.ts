@@ -17,15 +17,18 @@ export interface FrameVectors {
   readonly others: readonly (readonly [name: string, numbers: readonly number[]])[];
 }
 
-export function readVectors({ set, frames }: Pick<Picture, 'set' | 'frames'>): FrameVectors {
-  const read = (tag: Tag): number[] => {
-    const numbers = frames > 1 ? set.numbers(tag, frames) : [];
-    return numbers.length === frames ? numbers : [];
-  };
+export function readVectors(picture: Pick<Picture, 'set' | 'frames'>): FrameVectors {
+  const read = (tag: Tag): number[] => (picture.frames > 1 ? readFrameVector(picture, tag) : []);
   return {
     slices: read(tags.sliceVector),
     others: vectorTags.map(([name, tag]) => [name, read(tag)] as const).filter(([, numbers]) => numbers.length > 0),
   };
+}
+
+/** A number for each frame; none where the file does not say them. */
+export function readFrameVector({ set, frames }: Pick<Picture, 'set' | 'frames'>, tag: Tag): number[] {
+  const numbers = set.numbers(tag, frames);
+  return numbers.length === frames ? numbers : [];
 }
 
 /** @param index - of the frame, from 0 */
