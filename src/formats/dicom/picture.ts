@@ -76,6 +76,7 @@ export function readPicture({ set, pixels, syntax, file }: DicomFile, what: stri
       what,
       'is a segmentation: its labels are shown over their scan by <volume-labels src="…">, in the <volume-view> of the scan, one file alone, on a DICOMweb server by the address of its instance',
     );
+  checkTiles(set, what);
   const photometric = set.text(tags.photometric).toUpperCase() || 'MONOCHROME2';
   const samples = set.number(tags.samplesPerPixel) ?? 1;
   const isGray = samples === 1 && /^MONOCHROME[12]$/.test(photometric);
@@ -93,6 +94,24 @@ export function readPicture({ set, pixels, syntax, file }: DicomFile, what: stri
     colors,
     padding: colors ? null : readPadding(set, numbers),
   };
+}
+
+/**
+ * The frames of a scanned slide are tiles of one large picture. Source: PS3.3, C.8.12.4.1 and C.7.6.17.3
+ * @throws {VolumeViewError} `format/unsupported` where there is more than one
+ */
+function checkTiles(set: DataSet, what: string): void {
+  const [columns, rows] = [tags.totalColumns, tags.totalRows].map((tag) => set.number(tag) ?? 0);
+  const isTiled = set.text(tags.dimensionOrganization).toUpperCase().startsWith('TILED');
+  const isOne =
+    (set.number(tags.frames) ?? 1) === 1 &&
+    columns <= (set.number(tags.columns) ?? 0) &&
+    rows <= (set.number(tags.rows) ?? 0);
+  if (isOne || !(isTiled || columns > 0 || rows > 0)) return;
+  throw unsupportedFile(
+    what,
+    `is a picture of ${say(columns)} x ${say(rows)} pixels in tiles, such as a slide of a microscope, and no volume; expected slices. Open it in a viewer of slides, or save a small level as a picture: vips openslideload in.dcm out.png --level 3`,
+  );
 }
 
 /** The same for a segmentation, whose numbers are what they are, whatever colours it has for them. */

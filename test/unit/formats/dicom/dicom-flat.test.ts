@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { rgbOf } from '../../../helpers/channels.ts';
 import { dicomBytes, pixelFields } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
-import { urlOf, valuesOf } from '../../../helpers/decode.ts';
+import { expectError, urlOf, valuesOf } from '../../../helpers/decode.ts';
 import { decodeFields, decodeSeries } from '../../../helpers/dicom-series.ts';
 import { openScans } from '../../../helpers/scans-of.ts';
 import type { OpenScans } from '../../../helpers/scans-of.ts';
@@ -247,5 +247,31 @@ describe('frames of one place', () => {
     const opened = await open([fields]);
     expect(opened.times).to.deep.equal([null, null, null]);
     expect(await framesOf(opened)).to.deep.equal([0, 1, 2]);
+  });
+});
+
+describe('the tiles of a slide', () => {
+  // VL Whole Slide Microscopy Image Storage, and a parametric map of a slide.
+  for (const [what, fields] of [
+    [
+      'TILED_FULL',
+      { DimensionOrganizationType: 'TILED_FULL', TotalPixelMatrixColumns: [8], TotalPixelMatrixRows: [5] },
+    ],
+    ['without that word', { TotalPixelMatrixColumns: [8], TotalPixelMatrixRows: [5] }],
+    ['TILED_SPARSE', { DimensionOrganizationType: 'TILED_SPARSE' }],
+  ] as const)
+    it(`are refused, as they are no slices: ${what}`, async () => {
+      const error = await expectError(
+        decodeFields([film(4, { SOPClassUID: '1.2.840.10008.5.1.4.1.1.77.1.6', ...fields })]),
+      );
+      expect(error.code).to.equal('format/unsupported');
+      expect(error.message).to.match(/in tiles, such as a slide of a microscope, and no volume/);
+    });
+
+  it('are a picture where there is one', async () => {
+    const volume = await decodeFields([
+      film(1, { DimensionOrganizationType: 'TILED_FULL', TotalPixelMatrixColumns: [4], TotalPixelMatrixRows: [3] }),
+    ]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 3, 1]);
   });
 });
