@@ -21,6 +21,8 @@ export interface Frame {
   /** Centre of its first pixel in mm, in DICOM's world (LPS); null where the file does not say it. */
   readonly position: Vector3 | null;
   readonly plane: Plane | null;
+  /** Whether place and plane are the patient's, and not those of an ultrasound volume. */
+  readonly ofPatient: boolean;
   /** World lengths from column to column, and from row to row; null where the file does not say it. */
   readonly spacing: readonly [number, number] | null;
   /** To the next slice, as the file says; null where it does not. */

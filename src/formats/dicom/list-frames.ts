@@ -12,6 +12,7 @@ import { findSuvFactor } from './suv.ts';
 import { sequences, tags } from './tags.ts';
 import { readFrameVector, readTraits, readVectors } from './traits.ts';
 import type { Find, FrameVectors } from './traits.ts';
+import { readRegionSpacing } from './ultrasound.ts';
 import { readValueTable } from './value-table.ts';
 import { readWindows } from './windows.ts';
 
@@ -57,7 +58,7 @@ const asFlat = (frame: Frame, flat: FlatPicture): Frame =>
 /** Whether the file says of each frame where it lies. One place for all of them is that of each. */
 function hasOwnPlaces(set: DataSet): boolean {
   return [...set.items(sequences.sharedGroups), ...set.items(sequences.frameGroups)].some(
-    (item) => item.items(sequences.planePosition).length > 0,
+    (item) => item.items(sequences.planePosition).length > 0 || item.items(sequences.volumePosition).length > 0,
   );
 }
 
@@ -91,9 +92,8 @@ function describeFrame(picture: Picture, index: number, vectors: FrameVectors): 
     series: set.text(tags.series),
     seriesNumber: readSeriesNumber(set),
     isLocalizer: imageType.includes('LOCALIZER'),
-    position: readVector(find(sequences.planePosition, tags.position).numbers(tags.position)),
-    plane: readPlane(find(sequences.planeOrientation, tags.orientation).numbers(tags.orientation)),
-    spacing: readSpacing(find),
+    ...readPlace(find),
+    spacing: readSpacing(find) ?? readRegionSpacing(picture),
     step: readStep(find),
     thickness: Math.abs(find(sequences.pixelMeasures, tags.sliceThickness).number(tags.sliceThickness) ?? 0) || null,
     stack: find(sequences.frameContent, tags.stack).text(tags.stack),
@@ -112,6 +112,17 @@ function readSeriesNumber(set: DataSet): number | undefined {
 
 function readVector([x, y, z]: readonly number[]): Vector3 | null {
   return Number.isFinite(x + y + z) ? [x, y, z] : null;
+}
+
+/** Ultrasound in three dimensions may say its places only within its volume. Source: PS3.3, C.7.6.16.2.21 and C.7.6.16.2.22 */
+function readPlace(find: Find): Pick<Frame, 'position' | 'plane' | 'ofPatient'> {
+  const position = readVector(find(sequences.planePosition, tags.position).numbers(tags.position));
+  const plane = readPlane(find(sequences.planeOrientation, tags.orientation).numbers(tags.orientation));
+  const { volumePosition, volumeOrientation } = tags;
+  const place = readVector(find(sequences.volumePosition, volumePosition).numbers(volumePosition));
+  if (position || !place) return { position, plane, ofPatient: true };
+  const found = find(sequences.volumeOrientation, volumeOrientation).numbers(volumeOrientation);
+  return { position: place, plane: readPlane(found), ofPatient: false };
 }
 
 function readPlane(numbers: readonly number[]): Plane | null {

@@ -53,7 +53,7 @@ export function stackFrames(frames: readonly Frame[]): Stack {
   const range = places[count - 1] - places[0];
   if (count === 1) {
     const step = scale(plane.normal, first.step ?? Math.min(...spacing));
-    return { slices: frames, indexToWorld: joinAxes(first, spacing, step), anatomical: true, left };
+    return { slices: frames, indexToWorld: joinAxes(first, spacing, step), anatomical: first.ofPatient, left };
   }
   const lead = subtract(frames[count - 1].position!, position);
   const indices = findIndices(places);
@@ -71,7 +71,7 @@ export function stackFrames(frames: readonly Frame[]): Stack {
     return {
       slices,
       indexToWorld: joinAxes(first, spacing, step),
-      anatomical: true,
+      anatomical: first.ofPatient,
       left: [
         ...left,
         ...(missing > 0
@@ -91,7 +91,7 @@ export function stackFrames(frames: readonly Frame[]): Stack {
   return {
     slices: frames,
     indexToWorld: joinAxes(first, spacing, step),
-    anatomical: true,
+    anatomical: first.ofPatient,
     resample,
     left: [
       ...left,

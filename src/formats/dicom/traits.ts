@@ -43,6 +43,9 @@ export function readTraits({ set, frames }: Picture, index: number, find: Find, 
   traits.set('kind of picture', (frameType ?? set.texts(tags.imageType)).slice(2).join(' '));
   const complexPart = find(sequences.mrFrameType, tags.complexPart).text(tags.complexPart);
   if (complexPart !== '') traits.set('part of complex numbers', complexPart);
+  const dataType = find(sequences.dataType, tags.dataType).text(tags.dataType);
+  // Tissue comes before what flows in it.
+  if (dataType !== '') traits.set('kind of data', dataType === 'TISSUE_INTENSITY' ? '' : dataType);
   for (const [name, numbers] of vectors.others) add(name, numbers[index]);
   for (const [name, group, ...candidates] of traitTags) {
     add(
