@@ -260,9 +260,13 @@ export function cutTile(numbers: FrameNumbers, { columns, rows, corner: [i, j], 
   return tile;
 }
 
-/** Where one of two slices has no data, the value between them is that of the nearer one. @param numbers - of a slice */
+/** Where one of two slices has no data, the value between them is that of the nearer one; in a gap there is none. @param numbers - of a slice */
 function resampleSlices(from: FrameNumbers, to: FrameNumbers, numbers: number, places: readonly number[]): void {
   for (const [k, place] of places.entries()) {
+    if (Number.isNaN(place)) {
+      to.fill(NaN, k * numbers, (k + 1) * numbers); // Colours are 0 there.
+      continue;
+    }
     const below = Math.floor(place);
     const share = place - below;
     for (let i = 0; i < numbers; i++) {

@@ -4,7 +4,7 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { Frame } from './frame.ts';
 import { placeAlong } from './group-frames.ts';
-import { joinAxes } from './stack-frames.ts';
+import { gap, joinAxes, usualStep } from './stack-frames.ts';
 
 /** What is known of the place of a slice with labels. */
 export type LabelSlice = Pick<Frame, 'plane' | 'position' | 'spacing' | 'step' | 'columns' | 'rows'>;
@@ -67,7 +67,9 @@ export function placeSegments<Slice extends LabelSlice>(frames: readonly Slice[]
   const stated = guess
     .map((step) => Math.max(1, Math.round(range / step)))
     .find((steps) => isEven(places, range / steps));
-  const steps = range === 0 ? 0 : (stated ?? Math.min(2 * (slices.length - 1), Math.round(range / Math.min(...guess))));
+  const covered = sumWithoutGaps(places);
+  const most = 2 * (slices.length - 1) * (range / covered);
+  const steps = range === 0 ? 0 : (stated ?? Math.round(Math.min(most, range / Math.min(...guess))));
   if (!(steps < maxSlices))
     throw corruptFile(
       what,
@@ -107,6 +109,16 @@ function guessSteps(places: readonly number[], stated: number | null): number[] 
   return [...(stated ? [stated] : []), ...found];
 }
 
+/** How much of a stack has slices. */
+function sumWithoutGaps(places: readonly number[]): number {
+  const usual = usualStep(places);
+  return places
+    .slice(1)
+    .map((place, i) => place - places[i])
+    .filter((step) => step <= gap * usual)
+    .reduce((sum, step) => sum + step, 0);
+}
+
 function isEven(places: readonly number[], step: number): boolean {
   return places.every((place) => {
     const at = (place - places[0]) / step;
@@ -114,12 +126,18 @@ function isEven(places: readonly number[], step: number): boolean {
   });
 }
 
-/** For each of some places in ascending order, counted in slices, the even slices that are nearest to it. */
+/**
+ * For each of some places in ascending order, counted in slices, the even slices that are nearest to it. Where slices are missing, those
+ * between have no label.
+ */
 function nearestOf(places: readonly number[], steps: number): number[][] {
   const slices: number[][] = places.map(() => []);
+  const apart = places.slice(1).map((place, i) => place - places[i]);
+  const usual = usualStep(places);
   for (let k = 0, at = 0; k <= steps; k++) {
     while (at + 1 < places.length && places[at + 1] - k < k - places[at]) at++;
-    slices[at].push(k);
+    const step = apart[k < places[at] ? at - 1 : at] ?? 0;
+    if (step <= gap * usual || Math.abs(k - places[at]) <= usual / 2) slices[at].push(k);
   }
   return slices;
 }

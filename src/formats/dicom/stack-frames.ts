@@ -12,7 +12,7 @@ export interface Stack {
   readonly indexToWorld: Matrix4;
   /** Whether the files say where the patient's left and right are. */
   readonly anatomical: boolean;
-  /** Set where the distances of the slices differ: for each slice that is to be made, its place among those that are there. */
+  /** Set where the distances of the slices differ: for each slice that is to be made, its place among those that are there; NaN in a gap. */
   readonly resample?: readonly number[];
   /** What of this the picture shows in another way than the files say, in words. */
   readonly left: readonly string[];
@@ -29,6 +29,9 @@ const thicker = 1.1;
 
 /** At most so many times as many slices as there are, and a few more, may be missing. */
 const maxMissing = { times: 3, more: 16 };
+
+/** Slices that lie further apart than so many times their thickness, and the usual step, have a gap between them. One may be lost. */
+export const gap = 2.5;
 
 /** Slices that are made of others are at most so many times as many. */
 const maxResampled = 2;
@@ -59,11 +62,7 @@ export function stackFrames(frames: readonly Frame[]): Stack {
   const indices = findIndices(places);
   if (indices && !areGapsCovered(frames, places, indices)) {
     const total = indices[count - 1] + 1;
-    if (total > (1 + maxMissing.times) * count + maxMissing.more)
-      throw corruptFile(
-        'the DICOM series',
-        `has ${count} slices over ${Math.round(range).toLocaleString('en')} mm, of which ${(total - count).toLocaleString('en')} are missing between the others; expected the files of one scan. Choose them alone`,
-      );
+    checkMissing(count, total, range);
     const slices: (Frame | null)[] = Array.from({ length: total }, () => null);
     frames.forEach((frame, i) => (slices[indices[i]] = frame));
     const step = scale(lead, 1 / (total - 1));
@@ -83,11 +82,17 @@ export function stackFrames(frames: readonly Frame[]): Stack {
       ],
     };
   }
+  const reach = reachOver(frames, places);
   const steps = places.slice(1).map((place, i) => place - places[i]);
-  const [least, largest] = [Math.min(...steps), Math.max(...steps)];
-  const total = Math.min(maxResampled * count, Math.round(range / least) + 1);
+  const whole = steps.filter((_, i) => reach[i] === null);
+  const gaps = steps.filter((_, i) => reach[i] !== null);
+  const [least, largest] = [Math.min(...whole), Math.max(...whole)];
+  const covered = whole.reduce((sum, step) => sum + step, 0);
+  const made = Math.min(maxResampled * count, Math.round(covered / least) + 1);
+  const total = Math.round((range / covered) * (made - 1)) + 1;
+  checkMissing(made, total, range);
   const step = scale(lead, 1 / (total - 1));
-  const resample = resamplePlaces(places, total);
+  const resample = resamplePlaces(places, total, reach);
   return {
     slices: frames,
     indexToWorld: joinAxes(first, spacing, step),
@@ -95,7 +100,12 @@ export function stackFrames(frames: readonly Frame[]): Stack {
     resample,
     left: [
       ...left,
-      `the slices are ${sayLength(least)} to ${sayLength(largest)} mm apart: values are computed between them (linearly) for ${total} slices ${sayLength(range / (total - 1))} mm apart`,
+      `the slices are ${[...new Set([least, largest].map(sayLength))].join(' to ')} mm apart: values are computed between them (linearly) for ${total} slices ${sayLength(range / (total - 1))} mm apart`,
+      ...(gaps.length > 0
+        ? [
+            `${gaps.length > 1 ? `${gaps.length} gaps of up to` : 'a gap of'} ${sayLength(Math.max(...gaps))} mm between the slices, shown as no data`,
+          ]
+        : []),
       ...describeShift(
         frames,
         places.map((place) => ((place - places[0]) / range) * (total - 1)),
@@ -104,6 +114,15 @@ export function stackFrames(frames: readonly Frame[]): Stack {
       ),
     ],
   };
+}
+
+/** @throws {VolumeViewError} `format/corrupt` where many more are missing than are there */
+function checkMissing(count: number, total: number, range: number): void {
+  if (total <= (1 + maxMissing.times) * count + maxMissing.more) return;
+  throw corruptFile(
+    'the DICOM series',
+    `has ${count} slices over ${Math.round(range).toLocaleString('en')} mm, of which ${(total - count).toLocaleString('en')} are missing between the others; expected the files of one scan. Choose them alone`,
+  );
 }
 
 /** Slices without places, in the order of their numbers. */
@@ -171,14 +190,37 @@ function areGapsCovered(frames: readonly Frame[], places: readonly number[], ind
   );
 }
 
+/**
+ * For each step from slice to slice null, or where it is a gap, such as that between two slabs, how far into it slices are shown: half
+ * of their thickness, or of the usual step.
+ */
+function reachOver(frames: readonly Frame[], places: readonly number[]): (number | null)[] {
+  const usual = usualStep(places);
+  return places.slice(1).map((place, i) => {
+    const step = place - places[i];
+    const covered = Math.max(usual, frames[i].thickness ?? 0, frames[i + 1].thickness ?? 0);
+    return step > gap * covered ? covered / 2 : null;
+  });
+}
+
+/** The step that most slices have to the next one: half of them have none that is longer. @param places - in ascending order */
+export function usualStep(places: readonly number[]): number {
+  const steps = places.slice(1).map((place, i) => place - places[i]);
+  steps.sort((a, b) => a - b);
+  return steps[(steps.length - 1) >> 1];
+}
+
 /** For each slice of an even stack, its place among uneven ones: 1.25 lies after a quarter of the way from the second to the third. */
-function resamplePlaces(places: readonly number[], total: number): number[] {
+function resamplePlaces(places: readonly number[], total: number, reach: readonly (number | null)[]): number[] {
   const last = places.length - 1;
   const [start, end] = [places[0], places[last]];
   let before = 0;
   return Array.from({ length: total }, (_, k) => {
     const place = start + (k / (total - 1)) * (end - start);
     while (before < last - 1 && places[before + 1] <= place) before++;
+    const near = reach[before];
+    if (near !== null)
+      return place - places[before] <= near ? before : places[before + 1] - place <= near ? before + 1 : NaN;
     return Math.min(last, before + (place - places[before]) / (places[before + 1] - places[before]));
   });
 }

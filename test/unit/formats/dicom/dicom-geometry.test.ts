@@ -90,6 +90,40 @@ describe('slices of DICOM', () => {
     }
   });
 
+  // Two slabs of 5 mm slices, 88 mm from each other: nothing was measured between them.
+  it('far apart, as two slabs, have no data between them', async () => {
+    const files = [0, 5, 10, 98, 103, 108].map((z, k) => slice(k, z));
+    const volume = await decodeFields(files);
+    const { dimensions, spacing } = volume.grid;
+    const places = Array.from({ length: dimensions[2] }, (_, k) => k * spacing[2]);
+    expect(spacing[2]).to.be.closeTo(5, 0.15);
+    expect(at(volume, [0, 0, dimensions[2] - 1])[2]).to.equal(108);
+    const expected = places.map((z) =>
+      z <= 10 ? 20 * z : z <= 12.5 ? 200 : z < 95.5 ? NaN : z <= 98 ? 300 : 300 + 20 * (z - 98),
+    );
+    firstOfSlices(volume).forEach((value, k) =>
+      Number.isNaN(expected[k])
+        ? expect(value, `${places[k]} mm`).to.deep.equal(NaN)
+        : expect(value, `${places[k]} mm`).to.be.closeTo(expected[k], 1e-3),
+    );
+    expect(volume.left!.join()).to.contain('are 5 mm apart').and.to.contain('a gap of 88 mm between the slices');
+    // Each detail of the slabs is there, however far they lie apart.
+    expect(
+      (
+        await decodeFields(
+          files.map((one, k) => ({ ...one, ...(k > 2 ? { ImagePositionPatient: [-10, -20, 72.3 + 5 * k] } : {}) })),
+        )
+      ).grid.spacing[2],
+    ).to.be.closeTo(5, 0.2);
+    const far = await expectError(decodeFields([0, 5, 10, 1003.3, 1008.3].map((z, k) => slice(k, z))));
+    expect(far.message).to.contain('are missing between the others');
+  });
+
+  it('of an uneven stack of which one is lost are computed between the others', async () => {
+    const volume = await decodeFields([0, 4.8, 10, 20.2, 25].map((z, k) => slice(k, z)));
+    expect(firstOfSlices(volume).some(Number.isNaN)).to.equal(false);
+  });
+
   describe('of several stacks in one file', () => {
     /** @param frames - of each the name of its stack and its place */
     const file = (frames: readonly (readonly [stack: string, position: readonly number[]])[]): DicomFields => ({
