@@ -62,6 +62,7 @@ const dictionary = {
   InstanceNumber: [0x00200013, 'IS'],
   ImagePositionPatient: [0x00200032, 'DS'],
   ImageOrientationPatient: [0x00200037, 'DS'],
+  TemporalPositionIdentifier: [0x00200100, 'IS'],
   SliceLocation: [0x00201041, 'DS'],
   ImageComments: [0x00204000, 'LT'],
   StackID: [0x00209056, 'SH'],

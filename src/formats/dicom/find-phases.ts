@@ -38,19 +38,30 @@ function asTheyAre(seconds: number): number {
  * the number of the acquisition may change once, when a contrast agent is given.
  * @param places - of each place its frames
  * @param traits - in their order, that in which the frames differ first
- * @returns null where the first is no time, and where places do not have as many frames of different times
+ * @returns null where the first is no time, and where no two times have all places; times that lack some are left out, which `lost` says
  */
 export function findPhases(
   places: readonly (readonly Frame[])[],
   traits: readonly string[],
-): (Phases & { readonly trait: string }) | null {
+): (Phases & { readonly trait: string; readonly lost: readonly string[] }) | null {
   const [first, ...others] = traits;
   if (!timeTraits.has(first)) return null;
-  for (const trait of [first, ...others.filter((one) => timeTraits.has(one) && !isLastResort(one))]) {
+  const candidates = [first, ...others.filter((one) => timeTraits.has(one) && !isLastResort(one))];
+  for (const trait of candidates) {
     const phases = divideByTime(places, trait);
-    if (phases) return { ...phases, trait };
+    if (phases) return { ...phases, trait, lost: [] };
+  }
+  for (const trait of candidates) {
+    const phases = findCompleteTimes(places, trait) ?? cutAtEnd(places, trait);
+    if (phases) return { ...phases, trait, lost: [sayLost(places, phases)] };
   }
   return null;
+}
+
+function sayLost(places: readonly (readonly Frame[])[], { frames }: Phases): string {
+  const all = places.reduce((sum, at) => sum + at.length, 0);
+  const lost = all - frames.length * places.length;
+  return `${lost} ${lost > 1 ? 'pictures' : 'picture'} of times in which some slices are missing: ${frames.length} complete times are shown`;
 }
 
 /** What says no time by itself, and differs between all pictures: also between those that differ in something else. */
@@ -68,6 +79,44 @@ function divideByTime(places: readonly (readonly Frame[])[], trait: string): Pha
     sorted.push(frames);
   }
   const frames = Array.from({ length: count }, (_, phase) => sorted.map((at) => at[phase]));
+  return { frames, times: findTimes(frames) };
+}
+
+/** The times that all places have, where slices of one time have the same number, and half of the times or more are complete. */
+function findCompleteTimes(places: readonly (readonly Frame[])[], trait: string): Phases | null {
+  const byTime = new Map<number, Frame[]>();
+  for (const at of places) {
+    const here = new Map(at.map((frame) => [numberOf(frame, trait), frame]));
+    if (here.size !== at.length || here.has(undefined)) return null;
+    for (const [time, frame] of here) byTime.set(time!, [...(byTime.get(time!) ?? []), frame]);
+  }
+  const complete = [...byTime].filter(([, frames]) => frames.length === places.length);
+  if (complete.length < 2 || 2 * complete.length < byTime.size) return null;
+  complete.sort(([a], [b]) => a - b);
+  const frames = complete.map(([, some]) => some);
+  return { frames, times: findTimes(frames) };
+}
+
+/**
+ * The times of a scan that was stopped. Its slices have numbers or times of their own: in the same order in each time, from one end of the
+ * stack on, all of one time before those of the next one. The last time has only the first ones. Another slice that is missing would change
+ * the order, or mix times.
+ */
+function cutAtEnd(places: readonly (readonly Frame[])[], trait: string): Phases | null {
+  const count = Math.min(...places.map(({ length }) => length));
+  if (count < 2 || places.some(({ length }) => length > count + 1)) return null;
+  const sorted = places.map((at) => {
+    const frames = at.map((frame) => ({ frame, value: numberOf(frame, trait) ?? NaN }));
+    frames.sort((a, b) => a.value - b.value);
+    return frames;
+  });
+  const measured = [...sorted];
+  measured.sort((a, b) => a[0].value - b[0].value);
+  const all = Array.from({ length: count + 1 }, (_, time) => measured.flatMap((at) => at.slice(time, time + 1))).flat();
+  const isStopped = measured.every((at, i) => i === 0 || at.length <= measured[i - 1].length);
+  const isFromEnd = [sorted[0], sorted[sorted.length - 1]].includes(measured[0]);
+  if (!isStopped || !isFromEnd || !all.every(({ value }, i) => value >= (all[i - 1]?.value ?? -Infinity))) return null;
+  const frames = Array.from({ length: count }, (_, time) => sorted.map((at) => at[time].frame));
   return { frames, times: findTimes(frames) };
 }
 

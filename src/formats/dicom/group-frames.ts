@@ -200,8 +200,10 @@ function takeOnePerPlace(group: readonly Frame[]): ChosenFrames {
     if (places.every((at) => at.length === 1)) break;
     if (!places.some((at) => new Set(at.map(({ traits }) => traits.get(one))).size > 1)) continue;
     const found = phases ? null : findPhases(places, all.slice(i));
-    if (found)
-      phases = { frames: found.frames, times: found.times, left: names.length > 0 ? [describeOne(most, names)] : [] };
+    if (found) {
+      const left = [...(names.length > 0 ? [describeOne(most, names)] : []), ...found.lost];
+      phases = { frames: found.frames, times: found.times, left };
+    }
     const name = found?.trait ?? one;
     names.push(name);
     places = takeByTrait(places, name);

@@ -126,6 +126,48 @@ describe('a DICOM series of several times', () => {
     ]);
   });
 
+  for (const [what, fieldsOf, times] of [
+    ['by positions in time', (t) => ({ TemporalPositionIdentifier: String(t + 1) }), [null, null]],
+    ['by times that their slices share', (t) => ({ TriggerTime: String(50 * t) }), ['0 s', '0.05 s']],
+    ['by times of their slices', (t, k) => ({ AcquisitionTime: `12000${t}.${k}` }), ['0 s', '1 s']],
+    ['by the numbers of pictures', (t, k) => ({ InstanceNumber: String(3 * t + k + 1) }), [null, null]],
+  ] as const satisfies readonly (readonly [
+    string,
+    (t: number, k: number) => DicomFields,
+    readonly (string | null)[],
+  ])[])
+    it(`has the complete ones where the last one lacks slices, ${what}`, async () => {
+      const all = [0, 1, 2].flatMap((t) =>
+        [0, 1, 2].map((k) => ctSlice(5 * k, { ...mr, ...fieldsOf(t, k) }, 100 * t + 10 * k + 1)),
+      );
+      const { first } = await expectTimes(all.slice(0, -1), times);
+      expect(first.left).to.deep.equal([
+        '2 pictures of times in which some slices are missing: 2 complete times are shown',
+      ]);
+    });
+
+  it('has no time with a slice of another one, where one in the midst is missing', async () => {
+    const all = (fieldsOf: (t: number, k: number) => DicomFields): DicomFields[] =>
+      [0, 1, 2].flatMap((t) =>
+        [0, 1, 2].map((k) => ctSlice(5 * k, { ...mr, ...fieldsOf(t, k) }, 100 * t + 10 * k + 1)),
+      );
+    // The first slice of the second time is missing. Times that slices share say which one that is.
+    const shared = await open(
+      all((t) => ({ TriggerTime: String(50 * t) })).filter((_, i) => i !== 3),
+      1,
+    );
+    expect(shared.times).to.deep.equal(['0 s', '0.1 s']);
+    expect(valuesOf(shared.first).filter((_, i) => i % 12 === 0)).to.deep.equal([201, 211, 221]);
+    // Others do not: whichever slice is missing, also where they follow each other without a pause.
+    for (const pause of [0.1, 1 / 3])
+      for (const missing of [0, 1, 2, 3, 4, 5]) {
+        const own = all((t, k) => ({ AcquisitionTime: `12000${(t + pause * k).toFixed(3)}` }));
+        const { times, first } = await open(own.filter((_, i) => i !== missing));
+        expect(times, `${missing}`).to.deep.equal([]);
+        expect(first.left!.join()).to.contain('One of them is shown');
+      }
+  });
+
   it('is one volume where places have different numbers of times, or differ in what is no time', async () => {
     const uneven = series(2, (t) => ({ TriggerTime: String(50 * t) })).slice(1);
     for (const files of [uneven, series(2, (t) => ({ EchoTime: String(10 + t) }))]) {
