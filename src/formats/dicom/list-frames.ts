@@ -42,11 +42,25 @@ export function listFrames(picture: Picture): Frame[] {
     // All frames have the place of the first one, and the file says how far the others are from it.
     const slice = vectors.slices.length > 0 ? vectors.slices[index] - 1 : index;
     const along =
-      offsets.length >= frames ? offsets[index] - offsets[0] : slice * (signedStep(set) ?? frame.step ?? NaN);
+      offsets.length >= frames
+        ? doseSign(offsets[0], frame.position, frame.plane) * (offsets[index] - offsets[0])
+        : slice * (signedStep(set) ?? frame.step ?? NaN);
     const position = Number.isFinite(along) ? add(frame.position, scale(frame.plane.normal, along)) : null;
     return { ...size, position };
   });
 }
+
+/**
+ * Offsets of a dose run along the normal where the first one is 0. Where it is the z of the first frame, and slices are axial, they are the
+ * z of each. Source: PS3.3, C.8.8.3.2
+ */
+function doseSign(first: number, position: Vector3, { normal }: Plane): number {
+  const areHeights = first !== 0 && Math.abs(first - position[2]) < sameHeight && Math.abs(normal[2]) > axial;
+  return areHeights ? Math.sign(normal[2]) : 1;
+}
+
+/** In mm: files round both. Cosine of a quarter of a degree. */
+const [sameHeight, axial] = [0.01, 1 - 1e-5];
 
 /** Nuclear medicine counts against the normal where the spacing is negative. Source: PS3.3, C.8.4.15 */
 const signedStep = (set: DataSet): number | undefined => set.number(tags.spacingBetweenSlices);

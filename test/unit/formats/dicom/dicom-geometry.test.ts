@@ -318,6 +318,35 @@ describe('files with several frames', () => {
     expect(at(volume, [0, 0, 2])).to.deep.equal([10, 20, 12]);
   });
 
+  // PS3.3, C.8.8.3.2: a) offsets along the normal, b) z of each frame. Rows run to the right, or columns to the front: the normal points
+  // to the feet.
+  for (const [what, orientation, offsets, z] of [
+    ['along the normal', [1, 0, 0, 0, 1, 0], [0, 2.5, 5], [7, 9.5, 12]],
+    ['along a normal to the feet', [1, 0, 0, 0, -1, 0], [0, 2.5, 5], [7, 4.5, 2]],
+    ['against the normal', [1, 0, 0, 0, 1, 0], [0, -2.5, -5], [7, 4.5, 2]],
+    ['heights', [1, 0, 0, 0, 1, 0], [7, 9.5, 12], [7, 9.5, 12]],
+    ['heights, with a normal to the feet', [1, 0, 0, 0, -1, 0], [7, 9.5, 12], [7, 9.5, 12]],
+    ['heights, of a patient who lies on the belly', [-1, 0, 0, 0, -1, 0], [7, 9.5, 12], [7, 9.5, 12]],
+    ['heights downwards, with a normal to the feet', [-1, 0, 0, 0, 1, 0], [7, 4.5, 2], [7, 4.5, 2]],
+  ] as const)
+    it(`of a dose lie where its offsets say: ${what}`, async () => {
+      const volume = await decodeFields([
+        {
+          ...slice(0, 7, frames),
+          Modality: 'RTDOSE',
+          DoseGridScaling: '1',
+          RescaleSlope: undefined,
+          RescaleIntercept: undefined,
+          ImageOrientationPatient: orientation,
+          GridFrameOffsetVector: offsets,
+        },
+      ]);
+      // Frames have 0, 100 and 200; slices come in ascending order along the normal.
+      const shown = valuesOf(volume).filter((_, i) => i % 12 === 0);
+      const found = [0, 100, 200].map((value) => at(volume, [0, 0, shown.indexOf(value)])[2]);
+      expect(found).to.deep.equal(z);
+    });
+
   it('as tiles of a mosaic are slices around the middle of the picture', async () => {
     // 2 x 2 tiles of 4 x 3 pixels, of which 3 are used.
     const tiles = Uint16Array.from({ length: 48 }, (_, i) => 10 * (2 * Math.floor(i / 24) + ((i % 8) >> 2)));
