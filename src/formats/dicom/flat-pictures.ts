@@ -28,11 +28,12 @@ const flatClasses =
 export function findFlat(picture: Picture): ((index: number) => FlatPicture) | null {
   const { set, frames } = picture;
   const isPlaced = set.has(tags.position) && set.has(tags.orientation);
-  if (frames === 1 && isPlaced) return null;
+  if (frames === 1 && (isPlaced || set.has(tags.sliceLocation))) return null;
   const pointers = set.numbers(tags.frameIncrement);
-  const [, , kind = ''] = set.texts(tags.imageType);
+  const kind = (set.texts(tags.imageType)[2] ?? '').toUpperCase().replaceAll('_', ' ');
   const isNuclear = nuclear.has(set.text(tags.sopClass)) || set.text(tags.modality) === 'NM';
   if (isNuclear) return isFlatOfNuclear(kind, pointers) ? readNuclear(picture, kind) : null;
+  if (pointers.some((id) => sliceTags.has(id))) return null;
   const isFilm = frames > 1 && pointers.some((id) => filmTags.has(id));
   if (!isFilm && (isPlaced || !flatClasses.test(set.text(tags.sopClass)))) return null;
   const seconds = readTimes(set, frames);
@@ -42,8 +43,17 @@ export function findFlat(picture: Picture): ((index: number) => FlatPicture) | n
 
 const idsOf = (some: readonly Tag[]): ReadonlySet<number> => new Set(some.map(({ id }) => id));
 
-/** Times, and angles of a tube. */
-const filmTags = idsOf([tags.frameTime, tags.frameTimeVector, tags.firstAngleVector, tags.secondAngleVector]);
+/** Times, angles of a tube, and pages of a document. */
+const filmTags = idsOf([
+  tags.frameTime,
+  tags.frameTimeVector,
+  tags.pageVector,
+  tags.firstAngleVector,
+  tags.secondAngleVector,
+]);
+
+/** What says that frames lie next to each other, also in a file of a kind that has films. */
+const sliceTags = idsOf([tags.sliceLocationVector, tags.sliceLocation, tags.spacingBetweenSlices, tags.sliceThickness]);
 
 const viewTags = idsOf([
   tags.energyWindowVector,
@@ -58,14 +68,14 @@ const viewTags = idsOf([
 
 /** Only what is reconstructed has slices. Source: PS3.3, C.8.4.8.1.1 */
 function isFlatOfNuclear(kind: string, pointers: readonly number[]): boolean {
-  if (kind.startsWith('RECON')) return false;
+  if (kind.startsWith('RECON') || pointers.includes(tags.sliceVector.id)) return false;
   if (/^(STATIC|DYNAMIC|GATED|WHOLE BODY|TOMO|GATED TOMO)$/.test(kind)) return true;
-  return !pointers.includes(tags.sliceVector.id) && pointers.some((id) => viewTags.has(id));
+  return pointers.some((id) => viewTags.has(id));
 }
 
 function readNuclear(picture: Picture, kind: string): (index: number) => FlatPicture {
   const { set, frames } = picture;
-  const isTurned = kind.endsWith('TOMO');
+  const isTurned = kind.endsWith('TOMO') || readFrameVector(picture, tags.angularViewVector).length > 0;
   const [energies, detectors, rotations, intervals, phases, slots, parts] = [
     tags.energyWindowVector,
     tags.detectorVector,

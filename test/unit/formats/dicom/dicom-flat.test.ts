@@ -146,7 +146,7 @@ describe('frames of nuclear medicine', () => {
       SliceVector: [1, 2, 3],
       SpacingBetweenSlices: [5],
     };
-    for (const kind of ['RECON TOMO', '']) {
+    for (const kind of ['RECON TOMO', 'RECON_TOMO', 'TOMO', '']) {
       const volume = await decodeFields([nuclear(kind, 3, sliced)]);
       expect(volume.grid.dimensions).to.deep.equal([4, 3, 3]);
     }
@@ -207,6 +207,23 @@ describe('frames of a film', () => {
     expect((await open([frames], { isBigEndian: true })).times).to.deep.equal(['0 s', '0.01 s']);
   });
 
+  it('are times of an enhanced file, which says when each was measured', async () => {
+    const fields = film(3, {
+      SOPClassUID: '1.2.840.10008.5.1.4.1.1.12.1.1',
+      PerFrameFunctionalGroupsSequence: [0, 1, 2].map((i) => ({
+        FrameContentSequence: [{ FrameAcquisitionDateTime: `2020010112000${i}.5` }],
+      })),
+    });
+    const opened = await open([fields]);
+    expect(opened.times).to.deep.equal(['0 s', '1 s', '2 s']);
+    expect(await framesOf(opened)).to.deep.equal([0, 1, 2]);
+  });
+
+  it('are pages of a document, which are no slices', async () => {
+    const opened = await open([film(2, { FrameIncrementPointer: [0x00182001] })]);
+    expect(await framesOf(opened)).to.deep.equal([0, 1]);
+  });
+
   it('are one film for each file, and pictures of a series that are none are one after another', async () => {
     const cine = { SOPClassUID: classes.ultrasound, FrameIncrementPointer: [0x00181063], FrameTime: '10' };
     const [a, b] = [film(2, { ...cine, SOPInstanceUID: '1.1' }), film(3, { ...cine, SOPInstanceUID: '1.2' })];
@@ -221,11 +238,19 @@ describe('frames of a film', () => {
   });
 
   it('are slices where the file says so, or nothing else', async () => {
-    // Slice Location Vector; and a file without any pointer.
-    for (const fields of [{ FrameIncrementPointer: [0x00182005] }, {}]) {
+    // Slice Location Vector, Spacing Between Slices; and a file without any pointer.
+    for (const fields of [
+      { FrameIncrementPointer: [0x00182005] },
+      { SOPClassUID: classes.ultrasound, FrameIncrementPointer: [0x00180088] },
+      {},
+    ]) {
       const volume = await decodeFields([film(3, { ...fields, SpacingBetweenSlices: [3] })]);
       expect(volume.grid.dimensions).to.deep.equal([4, 3, 3]);
     }
+    const slices = [0, 1].map((i) =>
+      film(1, { SOPClassUID: classes.radiography, NumberOfFrames: undefined, SliceLocation: [5 * i] }),
+    );
+    expect((await decodeFields(slices)).grid.dimensions).to.deep.equal([4, 3, 2]);
   });
 });
 
