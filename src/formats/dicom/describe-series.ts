@@ -70,7 +70,7 @@ async function drawSmall(
   frame: Frame,
   context: Pick<ReadContext, 'folder' | 'budget'>,
 ): Promise<SeriesInfo['picture']> {
-  const { columns, rows, table, slope, intercept, windows, spacing } = frame;
+  const { columns, rows, table, slope, intercept, windows } = frame;
   if (isJ2k(frame.picture)) return undefined; // Its library is loaded with the series itself.
   let numbers;
   try {
@@ -89,7 +89,7 @@ async function drawSmall(
   const [window] = windows().windows;
   const [low, high] = window ? [window.from, window.to] : rangeOf(values);
   const pixels = Uint8ClampedArray.from(values, (value) => (255 * (value - low)) / (high - low || 1));
-  const [dx, dy] = spacing ?? [1, 1];
+  const [dx, dy] = frame.spacing ?? [1, frame.aspect];
   const aspect = (columns * dx) / (rows * dy);
   return { width, height, aspect: aspect > 0 && Number.isFinite(aspect) ? aspect : width / height, pixels };
 }

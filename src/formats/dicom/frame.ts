@@ -25,6 +25,8 @@ export interface Frame {
   readonly ofPatient: boolean;
   /** World lengths from column to column, and from row to row; null where the file does not say it. */
   readonly spacing: readonly [number, number] | null;
+  /** Height of a pixel for a width of 1, where the file says no more; 1 where it does not. */
+  readonly aspect: number;
   /** To the next slice, as the file says; null where it does not. */
   readonly step: number | null;
   /** How thick the slice is in mm, as the file says; null where it does not. */

@@ -108,6 +108,7 @@ function describeFrame(picture: Picture, index: number, vectors: FrameVectors): 
     isLocalizer: imageType.includes('LOCALIZER'),
     ...readPlace(find),
     spacing: readSpacing(find) ?? readRegionSpacing(picture),
+    aspect: readAspect(set),
     step: readStep(find),
     thickness: Math.abs(find(sequences.pixelMeasures, tags.sliceThickness).number(tags.sliceThickness) ?? 0) || null,
     stack: find(sequences.frameContent, tags.stack).text(tags.stack),
@@ -150,11 +151,17 @@ function readPlane(numbers: readonly number[]): Plane | null {
 
 /** The file has the distance of rows first. */
 function readSpacing(find: Find): readonly [number, number] | null {
-  for (const tag of [tags.pixelSpacing, tags.imagerPixelSpacing]) {
+  for (const tag of [tags.pixelSpacing, tags.imagerPixelSpacing, tags.scannedSpacing, tags.planeSpacing]) {
     const [y, x = y] = find(sequences.pixelMeasures, tag).numbers(tag);
     if (x > 0 && y > 0 && Number.isFinite(x + y)) return [x, y];
   }
   return null;
+}
+
+/** Height and width of a pixel as a ratio. Source: PS3.3, C.7.6.3.1.7 */
+function readAspect(set: DataSet): number {
+  const [height, width] = set.numbers(tags.pixelAspect);
+  return height > 0 && width > 0 ? height / width : 1;
 }
 
 function readStep(find: Find): number | null {

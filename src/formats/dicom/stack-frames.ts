@@ -48,7 +48,7 @@ const sideways = 0.5;
 export function stackFrames(frames: readonly Frame[]): Stack {
   const [first] = frames;
   const { plane, position } = first;
-  const spacing = first.spacing ?? [1, 1];
+  const spacing = first.spacing ?? [1, first.aspect];
   const left = first.spacing ? [] : ['the size of a pixel, which the file does not say: 1 mm is taken'];
   if (!plane || !position) return stackInOrder(frames, spacing, left);
   const places = frames.map((frame) => placeAlong(frame, first)!);

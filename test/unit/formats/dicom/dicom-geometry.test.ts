@@ -164,6 +164,20 @@ describe('slices of DICOM', () => {
     expect(error.message).to.contain('10,000,000 mm').and.to.contain('3 slices');
   });
 
+  it('of other kinds say the size of their pixels elsewhere, or no more than a ratio', async () => {
+    const none = { PixelSpacing: undefined, SliceThickness: undefined };
+    // PS3.3, C.7.6.3.1.7: height and width of a pixel.
+    const ratio = await decodeFields([slice(1, 0, { ...none, PixelAspectRatio: [3, 2] })]);
+    expect(ratio.grid.spacing.slice(0, 2)).to.deep.equal([1, 1.5]);
+    expect(ratio.left).to.deep.equal(['the size of a pixel, which the file does not say: 1 mm is taken']);
+    // A scanned film, and a picture of a treatment beam.
+    for (const fields of [{ NominalScannedPixelSpacing: [0.2, 0.1] }, { ImagePlanePixelSpacing: [0.2, 0.1] }]) {
+      const volume = await decodeFields([slice(1, 0, { ...none, ...fields })]);
+      expect(volume.grid.spacing.slice(0, 2)).to.deep.equal([0.1, 0.2]);
+      expect(volume.left).to.equal(undefined);
+    }
+  });
+
   it('without places come in the order of their numbers', async () => {
     const none = { ImagePositionPatient: undefined, ImageOrientationPatient: undefined };
     const volume = await decodeFields([
