@@ -67,7 +67,8 @@ export function placeSegments<Slice extends LabelSlice>(frames: readonly Slice[]
   const stated = guess
     .map((step) => Math.max(1, Math.round(range / step)))
     .find((steps) => isEven(places, range / steps));
-  const covered = sumWithoutGaps(places);
+  const usual = Math.max(places.length > 1 ? usualStep(places) : 0, any.step ?? 0);
+  const covered = sumWithoutGaps(places, usual);
   const most = 2 * (slices.length - 1) * (range / covered);
   const steps = range === 0 ? 0 : (stated ?? Math.round(Math.min(most, range / Math.min(...guess))));
   if (!(steps < maxSlices))
@@ -87,7 +88,9 @@ export function placeSegments<Slice extends LabelSlice>(frames: readonly Slice[]
       );
   }
   const isUneven = stated === undefined && steps > 0;
-  const shown = isUneven ? nearestOf(places.map(indexOf), steps) : places.map((place) => [Math.round(indexOf(place))]);
+  const shown = isUneven
+    ? nearestOf(places.map(indexOf), steps, (usual / range) * steps)
+    : places.map((place) => [Math.round(indexOf(place))]);
   return {
     dimensions: [columns, rows, steps + 1],
     indexToWorld: joinAxes(first.frame, spacing, step),
@@ -110,8 +113,7 @@ function guessSteps(places: readonly number[], stated: number | null): number[] 
 }
 
 /** How much of a stack has slices. */
-function sumWithoutGaps(places: readonly number[]): number {
-  const usual = usualStep(places);
+function sumWithoutGaps(places: readonly number[], usual: number): number {
   return places
     .slice(1)
     .map((place, i) => place - places[i])
@@ -130,10 +132,9 @@ function isEven(places: readonly number[], step: number): boolean {
  * For each of some places in ascending order, counted in slices, the even slices that are nearest to it. Where slices are missing, those
  * between have no label.
  */
-function nearestOf(places: readonly number[], steps: number): number[][] {
+function nearestOf(places: readonly number[], steps: number, usual: number): number[][] {
   const slices: number[][] = places.map(() => []);
   const apart = places.slice(1).map((place, i) => place - places[i]);
-  const usual = usualStep(places);
   for (let k = 0, at = 0; k <= steps; k++) {
     while (at + 1 < places.length && places[at + 1] - k < k - places[at]) at++;
     const step = apart[k < places[at] ? at - 1 : at] ?? 0;

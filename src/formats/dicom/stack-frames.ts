@@ -195,7 +195,8 @@ function areGapsCovered(frames: readonly Frame[], places: readonly number[], ind
  * of their thickness, or of the usual step.
  */
 function reachOver(frames: readonly Frame[], places: readonly number[]): (number | null)[] {
-  const usual = usualStep(places);
+  const isThickKnown = frames.every(({ thickness }) => thickness !== null);
+  const usual = usualStep(places, isThickKnown ? 1 / 2 : most);
   return places.slice(1).map((place, i) => {
     const step = place - places[i];
     const covered = Math.max(usual, frames[i].thickness ?? 0, frames[i + 1].thickness ?? 0);
@@ -203,11 +204,14 @@ function reachOver(frames: readonly Frame[], places: readonly number[]): (number
   });
 }
 
-/** The step that most slices have to the next one: half of them have none that is longer. @param places - in ascending order */
-export function usualStep(places: readonly number[]): number {
+/** The share of steps that are none longer than the usual one: of two scans that lie between each other, every other step is long. */
+const most = 3 / 4;
+
+/** A step that so many of all are not longer than. @param places - in ascending order */
+export function usualStep(places: readonly number[], share = most): number {
   const steps = places.slice(1).map((place, i) => place - places[i]);
   steps.sort((a, b) => a - b);
-  return steps[(steps.length - 1) >> 1];
+  return steps[Math.floor(share * (steps.length - 1))];
 }
 
 /** For each slice of an even stack, its place among uneven ones: 1.25 lies after a quarter of the way from the second to the third. */

@@ -119,6 +119,15 @@ describe('slices of DICOM', () => {
     expect(far.message).to.contain('are missing between the others');
   });
 
+  it('of two scans that lie between each other have no gaps', async () => {
+    for (const thickness of [undefined, [5]]) {
+      const files = [0, 1, 5, 6, 10, 11, 15, 16].map((z, k) =>
+        slice(k, z + (k % 2) / 3, { SliceThickness: thickness }),
+      );
+      expect(firstOfSlices(await decodeFields(files)).some(Number.isNaN)).to.equal(false);
+    }
+  });
+
   it('of an uneven stack of which one is lost are computed between the others', async () => {
     const volume = await decodeFields([0, 4.8, 10, 20.2, 25].map((z, k) => slice(k, z)));
     expect(firstOfSlices(volume).some(Number.isNaN)).to.equal(false);
