@@ -130,7 +130,7 @@ export function listTimes(frames: readonly Frame[]): Phases {
   const seconds = frames.map(({ flat }) => flat?.seconds ?? NaN);
   const areTimes = areAscending(seconds);
   const all = frames.map((frame) => [frame]);
-  return { frames: all, times: areTimes ? seconds.map(sayTime) : findTimes(all) };
+  return { frames: all, times: areTimes ? seconds.map((at) => sayTime(at - seconds[0])) : findTimes(all) };
 }
 
 /** Times of the day are rounded to microseconds. */

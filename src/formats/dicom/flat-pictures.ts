@@ -4,7 +4,7 @@ import type { DataSet } from './data-set.ts';
 import type { Picture } from './picture.ts';
 import { sequences, tags } from './tags.ts';
 import type { Tag } from './tags.ts';
-import { readFrameVector } from './traits.ts';
+import { readFrameVector, readGates } from './traits.ts';
 
 /** What a picture is that is no slice. */
 export interface FlatPicture {
@@ -76,23 +76,21 @@ function isFlatOfNuclear(kind: string, pointers: readonly number[]): boolean {
 function readNuclear(picture: Picture, kind: string): (index: number) => FlatPicture {
   const { set, frames } = picture;
   const isTurned = kind.endsWith('TOMO') || readFrameVector(picture, tags.angularViewVector).length > 0;
-  const [energies, detectors, rotations, intervals, phases, slots, parts] = [
+  const [energies, detectors, rotations, intervals, phases, parts] = [
     tags.energyWindowVector,
     tags.detectorVector,
     tags.rotationVector,
     tags.intervalVector,
     tags.phaseVector,
-    tags.timeSlotVector,
     tags.timeSliceVector,
   ].map((tag) => readFrameVector(picture, tag));
   const film = frames > 1 ? set.text(tags.sopInstance) : '';
   const starts = startsOfPhases(set);
-  const gates = set.items(sequences.gated).map((item) => item.items(sequences.gatedData)[0]?.number(tags.frameTime));
+  const gates = readGates(picture);
   const secondsOf = (index: number): number | undefined => {
     if (isTurned) return undefined;
     if (parts.length > 0) return starts[(phases[index] ?? 1) - 1]?.(parts[index]);
-    const gate = slots.length > 0 ? gates[(intervals[index] ?? 1) - 1] : undefined;
-    return gate && ((slots[index] - 1) * gate) / 1e3;
+    return gates[index];
   };
   return (index) => ({
     group: [film, ...[energies, detectors, rotations, intervals].map((vector) => vector[index] ?? 1)].join(),
@@ -106,8 +104,9 @@ function startsOfPhases(set: DataSet): ((part: number) => number)[] {
   let end = 0;
   return set.items(sequences.phases).map((phase) => {
     const start = end + (phase.number(tags.phaseDelay) ?? 0);
-    const step = (phase.number(tags.frameDuration) ?? NaN) + (phase.number(tags.framePause) ?? 0);
-    end = start + step * (phase.number(tags.framesInPhase) ?? NaN);
+    const pause = phase.number(tags.framePause) ?? 0;
+    const step = (phase.number(tags.frameDuration) ?? NaN) + pause;
+    end = start + step * (phase.number(tags.framesInPhase) ?? NaN) - pause;
     return (part) => (start + (part - 1) * step) / 1e3;
   });
 }

@@ -15,6 +15,8 @@ export interface FrameVectors {
   /** Which slice each frame is, from 1; none where the file does not say it. */
   readonly slices: readonly number[];
   readonly others: readonly (readonly [name: string, numbers: readonly number[]])[];
+  /** How long after a heartbeat each frame began, in seconds; none where the file does not say it. */
+  readonly gates: readonly (number | undefined)[];
 }
 
 export function readVectors(picture: Pick<Picture, 'set' | 'frames'>): FrameVectors {
@@ -22,7 +24,20 @@ export function readVectors(picture: Pick<Picture, 'set' | 'frames'>): FrameVect
   return {
     slices: read(tags.sliceVector),
     others: vectorTags.map(([name, tag]) => [name, read(tag)] as const).filter(([, numbers]) => numbers.length > 0),
+    gates: picture.frames > 1 ? readGates(picture) : [],
   };
+}
+
+/** By the length of the parts of a heartbeat, which may differ between intervals. Source: PS3.3, C.8.4.13 */
+export function readGates(picture: Pick<Picture, 'set' | 'frames'>): (number | undefined)[] {
+  const intervals = readFrameVector(picture, tags.intervalVector);
+  const gates = picture.set
+    .items(sequences.gated)
+    .map((item) => item.items(sequences.gatedData)[0]?.number(tags.frameTime));
+  return readFrameVector(picture, tags.timeSlotVector).map((slot, i) => {
+    const gate = gates[(intervals[i] ?? 1) - 1];
+    return gate && ((slot - 1) * gate) / 1e3;
+  });
 }
 
 /** A number for each frame; none where the file does not say them. */
@@ -47,6 +62,7 @@ export function readTraits({ set, frames }: Picture, index: number, find: Find, 
   // Tissue comes before what flows in it.
   if (dataType !== '') traits.set('kind of data', dataType === 'TISSUE_INTENSITY' ? '' : dataType);
   for (const [name, numbers] of vectors.others) add(name, numbers[index]);
+  add(afterStart, vectors.gates[index]);
   for (const [name, group, ...candidates] of traitTags) {
     add(
       name,
@@ -70,6 +86,8 @@ export function readTraits({ set, frames }: Picture, index: number, find: Find, 
 /** In what pictures differ that say nothing else: the order in which the scanner counts them. */
 export const lastTrait = 'number of the picture';
 
+const afterStart = 'time from the start';
+
 /** Those that are no time come first. */
 const vectorTags: readonly (readonly [name: string, tag: Tag])[] = [
   ['window of energy', tags.energyWindowVector],
@@ -87,7 +105,7 @@ const traitTags: readonly (readonly [name: string, group: Tag | null, ...tags: T
   ['b value of diffusion', sequences.diffusion, tags.bValue, tags.siemensBValue],
   ['inversion time', null, tags.inversionTime],
   ['position in time', sequences.frameContent, tags.temporalIndex, tags.temporalPosition],
-  ['time from the start', sequences.temporalPosition, tags.timeOffset],
+  [afterStart, sequences.temporalPosition, tags.timeOffset],
   ['trigger time', sequences.heart, tags.triggerDelay, tags.triggerTime],
   ['share of a heartbeat', sequences.heart, tags.heartPhase],
   ['share of a breath', sequences.breath, tags.breathPhase],

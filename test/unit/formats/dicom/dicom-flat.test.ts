@@ -64,7 +64,7 @@ describe('frames of nuclear medicine', () => {
     PhaseVector: [1, 1, 1, 1, 1, 2, 2, 1, 1, 1, 1, 1, 2, 2],
     TimeSliceVector: [1, 2, 3, 4, 5, 1, 2, 1, 2, 3, 4, 5, 1, 2],
     PhaseInformationSequence: [
-      { PhaseDelay: '0', ActualFrameDuration: '1000', PauseBetweenFrames: '0', NumberOfFramesInPhase: [5] },
+      { PhaseDelay: '300', ActualFrameDuration: '1000', PauseBetweenFrames: '100', NumberOfFramesInPhase: [5] },
       { PhaseDelay: '500', ActualFrameDuration: '10000', PauseBetweenFrames: '2000', NumberOfFramesInPhase: [2] },
     ],
     DetectorInformationSequence: [
@@ -75,7 +75,7 @@ describe('frames of nuclear medicine', () => {
 
   it('of a dynamic study are times, with the pauses of its phases, of one detector', async () => {
     const opened = await open([dynamic]);
-    expect(opened.times).to.deep.equal(['0 s', '1 s', '2 s', '3 s', '4 s', '5.5 s', '17.5 s']);
+    expect(opened.times).to.deep.equal(['0 s', '1.1 s', '2.2 s', '3.3 s', '4.4 s', '5.9 s', '17.9 s']);
     expect(await framesOf(opened)).to.deep.equal([0, 1, 2, 3, 4, 5, 6]);
     expect(opened.first.left).to.deep.equal([
       'another series, or a part of another orientation, size, view or film, with 7 pictures: the one with the most voxels is shown',

@@ -333,6 +333,17 @@ describe('times of a gated SPECT', () => {
     expect(await read({ TimeSlotVector: [2, 2, 2, 1, 1, 1] })).to.deep.equal([expected[1], expected[0]]);
   });
 
+  // The length of a part of a heartbeat, in milliseconds: PS3.3, C.8.4.13, Frame Time.
+  it('have the seconds after a heartbeat where the file says how long its parts are', async () => {
+    const opened = await open([
+      gated({
+        TimeSlotVector: [1, 1, 1, 2, 2, 2],
+        GatedInformationSequence: [{ DataInformationSequence: [{ FrameTime: '62.5' }] }],
+      }),
+    ]);
+    expect(opened.times).to.deep.equal(['0 s', '0.0625 s']);
+  });
+
   it('are the frames in their order where the file says no more than their slices', async () => {
     expect(await read({ SliceVector: [3, 2, 1, 1, 2, 3] })).to.deep.equal([
       [21, 11, 1],
