@@ -106,6 +106,7 @@ function writeFile(random: Random, { place, step, form, hasFrames, isAlike }: Fi
     WindowCenter: random.chance(0.2) ? text(random, 40, 50, -600) : text(random, 40),
     WindowWidth: random.chance(0.2) ? text(random, 400, 350, 1500) : text(random, 400),
     ...(hasFrames && random.chance(0.7) ? writeGroups(random, frames) : {}),
+    ...(random.chance(0.2) ? writeFilm(random, frames) : {}),
     PixelData: new Uint8Array(numbers.buffer),
   };
   const raw = listRaw(random);
@@ -122,6 +123,46 @@ function writeFile(random: Random, { place, step, form, hasFrames, isAlike }: Fi
     syntax: random.or(syntaxes.rle, '1.2.840.10008.1.2.4.70', '1.2.840.10008.1.2.4.80'),
     ...cutFrames(random, packed, raw),
   });
+}
+
+/** What says that frames are no slices: a class, a kind of picture, what they are counted by, times, regions, tiles, all of which may lie. */
+function writeFilm(random: Random, frames: number): DicomFields {
+  const vector = (): number[] => Array.from({ length: random.or(frames, 0, 1, 7) }, () => random.or(1, 0, 2, 65_535));
+  const hasTiles = random.chance(0.1);
+  return {
+    SOPClassUID: `1.2.840.10008.5.1.4.1.1.${random.pick(['20', '3.1', '12.1', '1', '6.2', '77.1.6'])}`,
+    ImageType: `A\\B\\${random.pick(['DYNAMIC', 'GATED', 'TOMO', 'RECON TOMO', 'STATIC', ''])}`,
+    FrameIncrementPointer: [random.pick([0x00181063, 0x00181065, 0x00540010, 0x00540080, 0x00182005])],
+    FrameTime: text(random, 40),
+    FrameTimeVector: text(random, ...Array.from({ length: frames }, () => 40)),
+    EnergyWindowVector: vector(),
+    DetectorVector: vector(),
+    PhaseVector: vector(),
+    RRIntervalVector: vector(),
+    TimeSlotVector: vector(),
+    TimeSliceVector: vector(),
+    SliceVector: random.chance(0.5) ? vector() : undefined,
+    PhaseInformationSequence: [
+      {
+        PhaseDelay: text(random, 0),
+        ActualFrameDuration: text(random, 1000),
+        PauseBetweenFrames: text(random, 0),
+        NumberOfFramesInPhase: [random.size(2) & 0xffff],
+      },
+    ],
+    GatedInformationSequence: [{ DataInformationSequence: [{ FrameTime: text(random, 50) }] }],
+    SequenceOfUltrasoundRegions: [
+      {
+        RegionSpatialFormat: [1],
+        PhysicalUnitsXDirection: [3],
+        PhysicalUnitsYDirection: [3],
+        PhysicalDeltaX: [random.number(0.05)],
+        PhysicalDeltaY: [random.number(0.05)],
+      },
+    ],
+    PixelAspectRatio: text(random, 1, 1),
+    ...(hasTiles && { TotalPixelMatrixColumns: [random.size(8) >>> 0], TotalPixelMatrixRows: [random.size(8) >>> 0] }),
+  };
 }
 
 /** Frames in one piece or in several, with a table of where each begins, one of 64 bits, or none. Source: PS3.5, A.4 */
