@@ -88,7 +88,11 @@ function findCompleteTimes(places: readonly (readonly Frame[])[], trait: string)
   for (const at of places) {
     const here = new Map(at.map((frame) => [numberOf(frame, trait), frame]));
     if (here.size !== at.length || here.has(undefined)) return null;
-    for (const [time, frame] of here) byTime.set(time!, [...(byTime.get(time!) ?? []), frame]);
+    for (const [time, frame] of here) {
+      const known = byTime.get(time!);
+      if (known) known.push(frame);
+      else byTime.set(time!, [frame]);
+    }
   }
   const complete = [...byTime].filter(([, frames]) => frames.length === places.length);
   if (complete.length < 2 || 2 * complete.length < byTime.size) return null;

@@ -7,6 +7,8 @@ import { openScans } from '../../../helpers/scans-of.ts';
 import type { OpenScans } from '../../../helpers/scans-of.ts';
 import { urlOf } from '../../../helpers/decode.ts';
 import { decodeFields } from '../../../helpers/dicom-series.ts';
+import { findPhases } from '../../../../src/formats/dicom/find-phases.ts';
+import type { Frame } from '../../../../src/formats/dicom/frame.ts';
 
 const mr = { Modality: 'MR', RescaleIntercept: undefined, RescaleSlope: undefined, WindowCenter: undefined };
 
@@ -145,6 +147,14 @@ describe('a DICOM series of several times', () => {
         '2 pictures of times in which some slices are missing: 2 complete times are shown',
       ]);
     });
+
+  it('has the complete ones of as many slices as files have, in no time', () => {
+    const frameAt = (time: number): Frame => ({ traits: new Map([['position in time', time]]) }) as unknown as Frame;
+    const all = Array.from({ length: 20_000 }, (_, k) => (k > 0 ? [1, 2, 3] : [1, 2]).map(frameAt));
+    const start = performance.now();
+    expect(findPhases(all, ['position in time'])!.frames).to.have.length(2);
+    expect(performance.now() - start).to.be.lessThan(1500);
+  });
 
   it('has no time with a slice of another one, where one in the midst is missing', async () => {
     const all = (fieldsOf: (t: number, k: number) => DicomFields): DicomFields[] =>
