@@ -89,7 +89,8 @@ export function stackFrames(frames: readonly Frame[]): Stack {
   const [least, largest] = [Math.min(...whole), Math.max(...whole)];
   const covered = whole.reduce((sum, step) => sum + step, 0);
   const made = Math.min(maxResampled * count, Math.round(covered / least) + 1);
-  const total = Math.round((range / covered) * (made - 1)) + 1;
+  const finest = (maxResampled * count - 1) * (range / covered);
+  const total = Math.round(Math.min(finest, range / least)) + 1;
   checkMissing(made, total, range);
   const step = scale(lead, 1 / (total - 1));
   const resample = resamplePlaces(places, total, reach);
@@ -218,12 +219,15 @@ export function usualStep(places: readonly number[], share = most): number {
 function resamplePlaces(places: readonly number[], total: number, reach: readonly (number | null)[]): number[] {
   const last = places.length - 1;
   const [start, end] = [places[0], places[last]];
+  // No slice between two gaps is lost between two that are made.
+  const half = (0.5001 * (end - start)) / (total - 1);
   let before = 0;
   return Array.from({ length: total }, (_, k) => {
     const place = start + (k / (total - 1)) * (end - start);
     while (before < last - 1 && places[before + 1] <= place) before++;
-    const near = reach[before];
-    if (near !== null)
+    const reached = reach[before];
+    const near = Math.max(reached ?? 0, half);
+    if (reached !== null)
       return place - places[before] <= near ? before : places[before + 1] - place <= near ? before + 1 : NaN;
     return Math.min(last, before + (place - places[before]) / (places[before + 1] - places[before]));
   });

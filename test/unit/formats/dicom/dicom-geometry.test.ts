@@ -119,6 +119,16 @@ describe('slices of DICOM', () => {
     expect(far.message).to.contain('are missing between the others');
   });
 
+  it('between two gaps are shown, and none of the steps is made longer for them', async () => {
+    const thin = { SliceThickness: [1] };
+    const files = async (places: readonly number[]): Promise<Scan> =>
+      decodeFields(places.map((z, k) => slice(k, z, thin)));
+    const alone = await files([0, 1, 2, 3, 5.7, 9.4, 10.4, 11.4]);
+    expect(firstOfSlices(alone)).to.include(400);
+    const steps = await files([0, 3, 6, 9.5, 13, 30, 33]);
+    expect(steps.grid.spacing[2]).to.equal(3);
+  });
+
   it('of two scans that lie between each other have no gaps', async () => {
     for (const thickness of [undefined, [5]]) {
       const files = [0, 1, 5, 6, 10, 11, 15, 16].map((z, k) =>
