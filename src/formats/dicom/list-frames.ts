@@ -23,9 +23,10 @@ export function listFrames(picture: Picture): Frame[] {
   const vectors = readVectors(picture);
   const isPlaced = hasOwnPlaces(set);
   const flatOf = isPlaced ? null : findFlat(picture);
+  const known = { vectors, detectorOf: findDetectors(picture, flatOf !== null) };
   const mosaic = findMosaic(picture);
   if (mosaic) {
-    const frame = describeFrame(picture, 0, vectors);
+    const frame = describeFrame(picture, 0, known);
     return mosaic.place(frame).map(({ corner, position }, i) => ({
       ...frame,
       ...mosaic.size,
@@ -35,7 +36,7 @@ export function listFrames(picture: Picture): Frame[] {
     }));
   }
   return Array.from({ length: frames }, (_, index) => {
-    const frame = describeFrame(picture, index, vectors);
+    const frame = describeFrame(picture, index, known);
     const size = { ...frame, columns, rows };
     if (flatOf) return asFlat(size, flatOf(index));
     if (frames === 1 || isPlaced || !frame.position || !frame.plane) return size;
@@ -77,12 +78,9 @@ function hasOwnPlaces(set: DataSet): boolean {
 }
 
 /** Finds an element: among those of the frame, among those that all frames share, among those of the file. */
-function finder({ set, frames }: Picture, index: number): Find {
+function finder({ set }: Picture, index: number, detector: DataSet | undefined): Find {
   const own = set.items(sequences.frameGroups)[index] as DataSet | undefined;
   const shared = set.items(sequences.sharedGroups)[0] as DataSet | undefined;
-  const detectors = set.items(sequences.detector);
-  const number = detectors.length > 1 ? (readFrameVector({ set, frames }, tags.detectorVector)[index] ?? 1) : 1;
-  const detector = detectors[number - 1] as DataSet | undefined;
   return (group, tag) => {
     for (const one of [own, shared]) {
       const found = group && one?.items(group)[0];
@@ -92,9 +90,20 @@ function finder({ set, frames }: Picture, index: number): Find {
   };
 }
 
-function describeFrame(picture: Picture, index: number, vectors: FrameVectors): Frame {
+/** By the number of a frame, the detector that says where it is. What was reconstructed of several has the place of the first one. */
+function findDetectors(picture: Picture, isFlat: boolean): (index: number) => DataSet | undefined {
+  const detectors = picture.set.items(sequences.detector);
+  const numbers = isFlat && detectors.length > 1 ? readFrameVector(picture, tags.detectorVector) : [];
+  return (index) => detectors[(numbers[index] ?? 1) - 1];
+}
+
+function describeFrame(
+  picture: Picture,
+  index: number,
+  { vectors, detectorOf }: { vectors: FrameVectors; detectorOf: (index: number) => DataSet | undefined },
+): Frame {
   const { set, columns, rows } = picture;
-  const find = finder(picture, index);
+  const find = finder(picture, index, detectorOf(index));
   const imageType = set.texts(tags.imageType);
   const values = readValues(picture, index, find);
   return {

@@ -151,6 +151,39 @@ describe('frames of nuclear medicine', () => {
       expect(volume.grid.dimensions).to.deep.equal([4, 3, 3]);
     }
   });
+
+  it('that were reconstructed of several detectors have the place of the first one, whatever the list says', async () => {
+    for (const detector of [0, 2, 3]) {
+      const volume = await decodeFields([
+        nuclear('RECON TOMO', 3, {
+          FrameIncrementPointer: [0x00540080],
+          SliceVector: [1, 2, 3],
+          DetectorVector: [detector, detector, detector],
+          SpacingBetweenSlices: [5],
+          DetectorInformationSequence: [
+            { ImagePositionPatient: [0, 0, 100], ImageOrientationPatient: [1, 0, 0, 0, 1, 0] },
+            {},
+          ],
+        }),
+      ]);
+      expect(volume.left, `${detector}`).to.equal(undefined);
+      expect(volume.grid.indexToWorld[11], `${detector}`).to.equal(100);
+    }
+  });
+
+  it('of several detectors are listed in no more time than those of one', async function () {
+    this.timeout(5000);
+    const frames = 10_000;
+    const volume = await decodeFields([
+      film(frames, {
+        SOPClassUID: classes.nuclear,
+        ImageType: 'ORIGINAL\\PRIMARY\\DYNAMIC\\EMISSION',
+        DetectorVector: Array.from({ length: frames }, (_, i) => 1 + (i % 2)),
+        DetectorInformationSequence: [{}, {}],
+      }),
+    ]);
+    expect(volume.series).to.have.length(2);
+  });
 });
 
 describe('frames of a film', () => {
