@@ -27,19 +27,30 @@ const flatClasses =
 /** Reads what the pictures of a file are; null where they are slices, or nothing says what they are. */
 export function findFlat(picture: Picture): ((index: number) => FlatPicture) | null {
   const { set, frames } = picture;
-  const isPlaced = set.has(tags.position) && set.has(tags.orientation);
-  if (frames === 1 && (isPlaced || set.has(tags.sliceLocation))) return null;
+  const says = (tag: Tag): boolean => set.number(tag) !== undefined;
+  const isPlaced = says(tags.position) && says(tags.orientation);
+  if (frames === 1 && (isPlaced || says(tags.sliceLocation))) return null;
   const pointers = set.numbers(tags.frameIncrement);
   const kind = (set.texts(tags.imageType)[2] ?? '').toUpperCase().replaceAll('_', ' ');
   const isNuclear = nuclear.has(set.text(tags.sopClass)) || set.text(tags.modality) === 'NM';
-  if (isNuclear) return isFlatOfNuclear(kind, pointers) ? readNuclear(picture, kind) : null;
+  if (isNuclear) return isFlatOfNuclear(picture, kind, pointers) ? readNuclear(picture, kind) : null;
   if (pointers.some((id) => sliceTags.has(id))) return null;
   const isFilm = frames > 1 && pointers.some((id) => filmTags.has(id));
-  if (!isFilm && (isPlaced || !flatClasses.test(set.text(tags.sopClass)))) return null;
+  const isFlatClass = flatClasses.test(set.text(tags.sopClass));
+  if (!isFilm && (isPlaced || !isFlatClass || hasStep(set))) return null;
+  if (isPlaced && !isFlatClass && isStack(set)) return null;
   const seconds = readTimes(set, frames);
   const group = frames > 1 ? set.text(tags.sopInstance) : 'stills';
   return (index) => ({ group, seconds: seconds?.(index), isTurned: false });
 }
+
+/** Whether the file says how far it is to the next slice, or how thick one is: so do slices of a breast in files of X-ray pictures. */
+const hasStep = (set: DataSet): boolean =>
+  [tags.spacingBetweenSlices, tags.sliceThickness].some((tag) => (set.number(tag) ?? 0) !== 0);
+
+/** Programs that write a stack as a film. In MR, films of one slice have that spacing, too. */
+const isStack = (set: DataSet): boolean =>
+  (set.number(tags.spacingBetweenSlices) ?? 0) !== 0 && set.text(tags.modality) !== 'MR';
 
 const idsOf = (some: readonly Tag[]): ReadonlySet<number> => new Set(some.map(({ id }) => id));
 
@@ -67,10 +78,11 @@ const viewTags = idsOf([
 ]);
 
 /** Only what is reconstructed has slices. Source: PS3.3, C.8.4.8.1.1 */
-function isFlatOfNuclear(kind: string, pointers: readonly number[]): boolean {
-  if (kind.startsWith('RECON') || pointers.includes(tags.sliceVector.id)) return false;
+function isFlatOfNuclear(picture: Picture, kind: string, pointers: readonly number[]): boolean {
+  if (kind.startsWith('RECON') || pointers.some((id) => id === tags.sliceVector.id || sliceTags.has(id))) return false;
+  if (picture.frames > 1 && readFrameVector(picture, tags.sliceVector).length > 0) return false;
   if (/^(STATIC|DYNAMIC|GATED|WHOLE BODY|TOMO|GATED TOMO)$/.test(kind)) return true;
-  return pointers.some((id) => viewTags.has(id));
+  return !hasStep(picture.set) && pointers.some((id) => viewTags.has(id));
 }
 
 function readNuclear(picture: Picture, kind: string): (index: number) => FlatPicture {

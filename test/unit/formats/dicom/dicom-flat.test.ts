@@ -150,6 +150,11 @@ describe('frames of nuclear medicine', () => {
       const volume = await decodeFields([nuclear(kind, 3, sliced)]);
       expect(volume.grid.dimensions).to.deep.equal([4, 3, 3]);
     }
+    // A list of slices to which nothing points; and a file that says no more than how far they are apart.
+    const unpointed = { SliceVector: [1, 2, 3], SpacingBetweenSlices: [5] };
+    const apart = { FrameIncrementPointer: [0x00540020], DetectorVector: [1, 1, 1], SpacingBetweenSlices: [5] };
+    for (const fields of [nuclear('TOMO', 3, unpointed), nuclear('', 3, apart)])
+      expect((await decodeFields([fields])).grid.dimensions).to.deep.equal([4, 3, 3]);
   });
 
   it('that were reconstructed of several detectors have the place of the first one, whatever the list says', async () => {
@@ -284,6 +289,41 @@ describe('frames of a film', () => {
       film(1, { SOPClassUID: classes.radiography, NumberOfFrames: undefined, SliceLocation: [5 * i] }),
     );
     expect((await decodeFields(slices)).grid.dimensions).to.deep.equal([4, 3, 2]);
+    const empty = slices.map((fields) => ({ ...fields, SliceLocation: [] }));
+    expect((await decodeFields(empty)).grid.dimensions).to.deep.equal([4, 3, 1]);
+  });
+
+  // Slices of a breast as X-ray pictures, or of an organ as ultrasound.
+  it('are slices where they have a thickness, or a step, and no time', async () => {
+    const fields = { SOPClassUID: classes.ultrasound, SpacingBetweenSlices: [3] };
+    expect((await decodeFields([film(3, fields)])).grid.spacing[2]).to.equal(3);
+    const films = { ...fields, FrameIncrementPointer: [0x00181063], FrameTime: '40' };
+    expect((await decodeFields([film(3, films)])).grid.dimensions).to.deep.equal([4, 3, 1]);
+    const slices = ['1', '2'].map((number) =>
+      film(1, {
+        SOPClassUID: classes.radiography,
+        NumberOfFrames: undefined,
+        InstanceNumber: number,
+        SliceThickness: [1],
+      }),
+    );
+    expect((await decodeFields(slices)).grid.dimensions).to.deep.equal([4, 3, 2]);
+  });
+
+  it('are slices where a program wrote a stack with places as a film', async () => {
+    const fields = {
+      FrameIncrementPointer: [0x00181063],
+      FrameTime: '1',
+      ImagePositionPatient: [0, 0, 7],
+      ImageOrientationPatient: [1, 0, 0, 0, 1, 0],
+      SpacingBetweenSlices: [3],
+    };
+    const dimensionsOf = async (more: DicomFields): Promise<readonly number[]> =>
+      (await decodeFields([film(3, { ...fields, ...more })])).grid.dimensions;
+    expect(await dimensionsOf({ Modality: 'CT' })).to.deep.equal([4, 3, 3]);
+    // Films have that spacing, too.
+    expect(await dimensionsOf({ Modality: 'MR', SOPClassUID: classes.mr })).to.deep.equal([4, 3, 1]);
+    expect(await dimensionsOf({ Modality: 'XA', SOPClassUID: classes.angiography })).to.deep.equal([4, 3, 1]);
   });
 });
 
