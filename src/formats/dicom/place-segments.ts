@@ -130,7 +130,7 @@ function isEven(places: readonly number[], step: number): boolean {
 
 /**
  * For each of some places in ascending order, counted in slices, the even slices that are nearest to it. Where slices are missing, those
- * between have no label.
+ * between have no label; none that is there is lost.
  */
 function nearestOf(places: readonly number[], steps: number, usual: number): number[][] {
   const slices: number[][] = places.map(() => []);
@@ -138,7 +138,7 @@ function nearestOf(places: readonly number[], steps: number, usual: number): num
   for (let k = 0, at = 0; k <= steps; k++) {
     while (at + 1 < places.length && places[at + 1] - k < k - places[at]) at++;
     const step = apart[k < places[at] ? at - 1 : at] ?? 0;
-    if (step <= gap * usual || Math.abs(k - places[at]) <= usual / 2) slices[at].push(k);
+    if (step <= gap * usual || Math.abs(k - places[at]) <= Math.max(1, usual) / 2) slices[at].push(k);
   }
   return slices;
 }

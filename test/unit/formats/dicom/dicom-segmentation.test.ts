@@ -166,6 +166,17 @@ describe('segmentations of DICOM', () => {
     ]);
   });
 
+  it('whose slices lie between two gaps show each of them', async () => {
+    const heights = [0, 1, 2, 3, 5.7, 9.4, 10.4, 11.4];
+    const volume = await read({
+      ...overlapping,
+      spacing: [0.75, 0.5, 1],
+      frames: heights.map((_, slice) => ({ slice, segment: slice + 1, pixels: Array<number>(15).fill(1) })),
+      positionOf: (slice) => [0.48, -0.64, 0.6].map((x) => heights[slice] * x),
+    });
+    expect(labelsOf(volume).map(([first]) => first)).to.include('5');
+  });
+
   it('whose slices have a gap between them have no labels there', async () => {
     const heights = [0, 2, 4, 35, 37, 39];
     const volume = await read({
