@@ -171,7 +171,7 @@ export class VolumeLayer {
     if (volume.isDiscrete || volume.channels)
       this.#rare = (await loadPart(import('./label-layer.ts'), 'shows labels')).rareProvider;
     const { polar } = this.providers;
-    if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
+    if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radars');
   }
 
   /** Upload a volume to the GPU at once; it replaces the previous volume. */

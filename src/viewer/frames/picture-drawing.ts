@@ -74,7 +74,7 @@ export class PictureDrawing {
    */
   async gather(scene: Scene, quality: FrameQuality, size: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, controller, loop } = this.parts;
-    const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures');
+    const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'shows pictures');
     if (controller.scene !== scene) return null;
     const { volume } = shown;
     loop.takeChanges();

@@ -80,7 +80,7 @@ export class ViewQuality {
     const { isFree } = this.asked;
     return this.#withLoss(
       isFree
-        ? await (await loadPart(import('./free-quality.ts'), 'spares steps and rays')).chooseFree(this, measuringTools)
+        ? await (await loadPart(import('./free-quality.ts'), 'cuts steps')).chooseFree(this, measuringTools)
         : await this.chooseUsual(),
     );
   }

@@ -19,7 +19,7 @@ export async function pickIn(
 export async function positionIn(viewer: Viewer | null, point: PagePoint): Promise<VolumePosition | null> {
   if (!viewer) return null;
   const place = placeInElement(viewer.place.host, point); // Before the page scrolls.
-  const { findPosition } = await loadPart(import('./find-position.ts'), 'finds places');
+  const { findPosition } = await loadPart(import('./find-position.ts'), 'picks');
   return findPosition(viewer, place);
 }
 

@@ -55,7 +55,7 @@ export class PageConnection {
     const word = (this.#word = {});
     this.#input?.dispose();
     this.#input = null;
-    this.interaction ??= await loadPart(import('./interaction.ts'), 'turns pictures');
+    this.interaction ??= await loadPart(import('./interaction.ts'), 'shows pictures');
     if (on && this.#word === word)
       this.#input = new this.interaction.CameraInput(this.picture, viewer.rig, {
         changed: () => viewer.invalidate(),
