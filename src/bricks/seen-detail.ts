@@ -16,7 +16,7 @@ import type { AddedChange } from './steep-looks.ts';
 const opaque = 1e-3;
 
 /** Values pass through a narrow peak of the transfer function within so many voxels. */
-const passed = 0.5;
+const passed = 0.25;
 
 /** Differences of a level that is made of noise go together over so many voxels, times 2^level. */
 const correlated = 0.5;

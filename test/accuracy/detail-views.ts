@@ -12,10 +12,10 @@ import type { TransferFunction } from '../../src/optics/transfer/transfer-functi
 import { boundingSphere, finestSpacing } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { estimateBricks } from '../../src/viewer/loading/brick-estimate.ts';
+import { BrickChoice } from '../../src/viewer/loading/brick-choice.ts';
+import type { ChosenBricks } from '../../src/viewer/loading/brick-choice.ts';
 import type { VolumeOptics } from '../../src/viewer/model/volume-info.ts';
 import { atOnce } from '../../src/core/waiting.ts';
-import type { Brick } from '../../src/bricks/pyramid.ts';
 import { cutIntoBricks, readBrick } from '../helpers/bricks.ts';
 import type { Bricked } from '../helpers/bricks.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
@@ -27,9 +27,6 @@ const edge = 192;
 
 /** Values of `max-error`. */
 const errors = [8, 4, 2, 1];
-
-/** Bricks that come at once. */
-const turn = 16;
 
 /** Rays across and down, of the true error. */
 const across = 28;
@@ -62,9 +59,6 @@ const fields: Readonly<Record<string, (random: () => number) => (x: number, y: n
     (Math.abs(y - 0.5 - 0.1 * Math.sin(9 * x)) < 0.006 ? 0.35 : 0),
 };
 
-/** Bricks that are looked at before the estimate is relied on, as the element does. */
-const doubtful = 6;
-
 const looks = [
   '0 #247 0, 255 #fd8 25%',
   '0 #fd8 0, 120 #fd8 0, 150 #fd8 100%, 255 #fff 100%',
@@ -84,18 +78,18 @@ export interface DetailView {
 }
 
 /** @param count - of views, the same in every run @param hasTable - whether the writer of the pyramid says what its levels hide, as `volume-view-prepare` does */
-export function* measureViews(count: number, hasTable = false): Generator<DetailView> {
+export async function* measureViews(count: number, hasTable = false): AsyncGenerator<DetailView> {
   const names = Object.keys(fields);
   const random = randomNumbers(11);
   const perField = Math.ceil(count / names.length);
   for (const name of names) {
     const field = fields[name](randomNumbers(3));
     const whole = syntheticVolume({ dimensions: [edge, edge, edge], field, slope: 255 });
-    for (let n = 0; n < perField; n++) yield measureView(name, whole, random, hasTable);
+    for (let n = 0; n < perField; n++) yield await measureView(name, whole, random, hasTable);
   }
 }
 
-function measureView(field: string, whole: Volume, random: () => number, hasTable: boolean): DetailView {
+async function measureView(field: string, whole: Volume, random: () => number, hasTable: boolean): Promise<DetailView> {
   const { center, radius } = boundingSphere(whole.grid);
   const fieldOfView = 0.6;
   const orbit = {
@@ -121,33 +115,28 @@ function measureView(field: string, whole: Volume, random: () => number, hasTabl
   const bricked = cutIntoBricks(whole, 3, () => false);
   const detail = new ResidentDetail(bricked.volume.finer.volume, bricked.volume.finer);
   if (hasTable) detail.take(measureResiduals(bricked.pyramid, brickSide), [0, 1, 2]);
-  let turns = 0;
-  const parts = { volume: bricked.volume, bricks: bricked.volume.finer, detail };
-  const estimate = () => atOnce(estimateBricks(parts, { view, optics }, { turn: turns++ }))!;
-  // As the element does it: probes come first, level by level; then what brings most, until what is said is within `max-error`.
+  const { finer } = bricked.volume;
+  const choice = new BrickChoice(finer, detail);
   const maxError = errors[Math.floor(errors.length * random())];
-  const add = (brick: Brick): void => {
-    const samples = readBrick(bricked.pyramid, brick);
-    detail.measure(brick, samples);
-    bricked.volume.finer.add(brick, samples);
-  };
-  let now = estimate();
-  for (; now.probes.length > 0; now = estimate())
-    for (const brick of now.probes) detail.measure(brick, readBrick(bricked.pyramid, brick), true);
-  for (let isSure = false; !isSure;) {
-    while (now.error.rms > maxError) {
-      const best = now.gains.rank(turn, 1, () => false);
-      if (best.length === 0) break;
-      for (const { brick } of best) add(brick);
-      bricked.volume.finer.current(bricked.volume);
-      now = estimate();
+  const wish = { key: 'view', maxError, slots: Infinity, isAsking: false, isRefused: () => false };
+  // As `BrickView` does it: probes come first, level by level; then what brings most, until what is expected is within the share of `max-error`.
+  let chosen: ChosenBricks;
+  for (;;) {
+    const found = atOnce(await choice.estimate(bricked.volume, { key: wish.key, view, optics }))!;
+    chosen = choice.choose(found, wish);
+    for (const brick of chosen.probes) detail.measure(brick, readBrick(bricked.pyramid, brick), true);
+    if (chosen.probes.length > 0) continue;
+    detail.forgetProbes();
+    if (chosen.again) continue;
+    if (chosen.missing.length === 0) break;
+    for (const { brick } of chosen.missing) {
+      const samples = readBrick(bricked.pyramid, brick);
+      detail.measure(brick, samples);
+      finer.add(brick, samples);
     }
-    const doubts = now.gains.rankFinest(doubtful, (brick) => detail.isMeasured(brick));
-    for (const brick of doubts) detail.measure(brick, readBrick(bricked.pyramid, brick), true);
-    if (doubts.length > 0) now = estimate();
-    isSure = doubts.length === 0 || now.error.rms <= maxError;
+    finer.current(bricked.volume);
   }
-  const said = now.error.rms;
+  const said = chosen.error.rms;
   const draw = (volume: Volume): Float64Array =>
     drawInFloat64(volume, { transferFunction, rays, stepLength: finestSpacing(whole.grid) });
   return {

@@ -12,19 +12,21 @@ export async function run({ quick }) {
   const { measureViews } = await loadModule('test/accuracy/detail-views.ts');
   for (const hasTable of (process.env.TABLES ?? 'no,yes').split(',').map((name) => name === 'yes')) {
     console.log(hasTable ? "With the table of the pyramid's writer:" : 'Without a table:');
-    tabulate([...logged(measureViews(quick ? 24 : 200, hasTable))]);
+    /** @type {import('./detail-views.ts').DetailView[]} */
+    const views = [];
+    for await (const view of measureViews(quick ? 24 : 200, hasTable)) {
+      log(view);
+      views.push(view);
+    }
+    tabulate(views);
   }
 }
 
-/** @param {Iterable<import('./detail-views.ts').DetailView>} views */
-function* logged(views) {
-  for (const view of views) {
-    const { field, look, maxError, share, said, true: truth } = view;
-    console.log(
-      `${field}, look ${look}, max-error ${maxError}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
-    );
-    yield view;
-  }
+/** @param {import('./detail-views.ts').DetailView} view */
+function log({ field, look, maxError, share, said, true: truth }) {
+  console.log(
+    `${field}, look ${look}, max-error ${maxError}, ${(100 * share).toFixed(0)} % of the bricks: says ${said.toFixed(2)}, is ${truth.rms.toFixed(2)} (largest ${truth.max.toFixed(0)})`,
+  );
 }
 
 /** @param {import('./detail-views.ts').DetailView[]} views */
