@@ -131,7 +131,7 @@ export class VolumeLayer {
     if (!style) return null;
     const made = await loadPart(
       import('../ray/styles/styles.ts').then(({ createStyle }) => createStyle(style, this)),
-      'draws styles',
+      'reads styles',
     );
     await this.#prepareStyle(made);
     return made;

@@ -26,13 +26,19 @@ export interface Subject {
  * The position of a camera with a given direction that has all visible parts in its picture; null where nothing is visible.
  * @param target - null where the function may choose it
  */
-export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number } | null;
+export interface Framing {
+  (view: FramedView, target: Vector3 | null): { target: Vector3; radius: number } | null;
+  /** The direction, where the usual one does not suit the subject. */
+  readonly usual?: Pick<Orbit, 'theta' | 'phi'>;
+}
+
+const degree = Math.PI / 180;
 
 /** From the patient's front left, a little from above: three faces of a volume are visible. */
-const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };
+const defaults = { theta: 30 * degree, phi: 75 * degree, fieldOfView: 30 * degree };
 
 /** From the south, and from higher up. */
-const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
+const weatherDefaults = { theta: 200 * degree, phi: 62 * degree };
 
 /**
  * Share of the bounding sphere that a radius of 100 % fits into the picture. It depends only on the volume's box, so that an
@@ -211,7 +217,7 @@ export class CameraRig {
 
   #place(): void {
     const { theta, phi, radius, target, fieldOfView } = this.#attributes;
-    const usual = this.#subject.isWeather ? weatherDefaults : defaults;
+    const usual = this.#framing?.usual ?? (this.#subject.isWeather ? weatherDefaults : defaults);
     this.#frame = worldFrame;
     this.#touched = false;
     const [angle, aspect] = [fieldOfView ?? defaults.fieldOfView, this.#aspect];

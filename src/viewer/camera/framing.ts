@@ -6,6 +6,7 @@ import type { Volume } from '../../volume/volume.ts';
 import { socketOf } from '../model/view-socket.ts';
 import type { ViewPart } from '../model/view-socket.ts';
 import type { Framing } from './camera-rig.ts';
+import { faceSlice } from './face-slice.ts';
 
 /**
  * Frames the visible part of a volume, and the parts that the element has at the time of the next picture, or whose files were
@@ -17,9 +18,10 @@ export function createFraming(volume: Volume, appearance: TransferFunction, show
   const listParts = (): readonly ViewPart[] => (host ? socketOf(host).parts : []);
   let first: readonly ViewPart[] | null = null;
   host?.addEventListener('render', () => (first = listParts()), { once: true });
-  return (view, target) => {
+  const frame: Framing = (view, target) => {
     const framed = listParts().filter((part) => !first || part.isExpected || first.includes(part));
     const all = [...places, ...framed.flatMap((part) => part.bounds?.() ?? [])];
     return all.length > 0 ? framePlaces(all, view, target) : null;
   };
+  return Object.assign(frame, { usual: faceSlice(volume) });
 }

@@ -278,7 +278,7 @@ export class Viewer implements FrameHost, SceneUser, SocketViewer {
 
   /** A picture file of the view at rest. */
   async toBlob(goal: FileGoal): Promise<Blob> {
-    const { takePicture } = await loadPart(import('../frames/take-picture.ts'), 'takes pictures');
+    const { takePicture } = await loadPart(import('../frames/take-picture.ts'), 'shows pictures');
     return this.controller.withScene((scene) => takePicture(scene, this.frames, goal));
   }
 
