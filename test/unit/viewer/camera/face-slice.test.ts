@@ -10,7 +10,7 @@ import { faceSlice } from '../../../../src/viewer/camera/face-slice.ts';
 
 /** @param axes - world directions (right, front, head) of the three axes, 1 mm a voxel */
 const gridOf = (dimensions: Vector3, [i, j, k]: readonly Vector3[]): Volume['grid'] =>
-  cartesianGrid(dimensions, [0, 1, 2].flatMap((row) => [i[row], j[row], k[row], 0]).concat([0, 0, 0, 1]) as never);
+  cartesianGrid(dimensions, [0, 1, 2].flatMap((row) => [i[row], j[row], k[row], 0]).concat([0, 0, 0, 1]));
 
 /** Where a direction of the world goes on the screen: right, up, towards the eye. */
 function onScreen(volume: Pick<Volume, 'grid' | 'radar'>, direction: Vector3): number[] {
