@@ -1,12 +1,11 @@
-import { colorOf, linesOf, quote, splitCells, TableRows } from './label-table.ts';
+import { cellsOf, colorOf, columnsOf, quote, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
 
-const isNone = (cell: string | undefined): boolean =>
-  cell === undefined || cell.trim() === '' || cell.trim().toLowerCase() === 'n/a';
+const isNone = (cell: string): boolean => cell === '' || cell.toLowerCase() === 'n/a';
 
 /** Whether a text begins with the columns of a BIDS table. */
 export function isBidsTable(text: string): boolean {
-  const columns = columnsOf(text.slice(0, 4096).split(/\r\n|\n|\r/, 1)[0]);
+  const columns = columnsOf(text, '\t');
   return columns.includes('index') && columns.includes('name');
 }
 
@@ -18,31 +17,20 @@ export function isBidsTable(text: string): boolean {
  */
 export function readBidsTable(text: string): LabelTable {
   const rows = new TableRows();
-  let columns: string[] | null = null;
-  for (const { where, line } of linesOf(text, null)) {
-    if (!columns) {
-      columns = columnsOf(line);
-      continue;
-    }
-    const cells = splitCells(line, '\t');
-    const cell = (name: string): string | undefined => cells[columns!.indexOf(name)];
-    const index = cell('index')?.trim() ?? '';
+  for (const { where, cell } of cellsOf(text, '\t')) {
+    const index = cell('index');
     if (!/^[+-]?\d+(\.0+)?$/.test(index)) {
       rows.refuse(where, `the index ${quote(index)}`, 'a whole number');
       continue;
     }
-    const written = isNone(cell('color')) ? null : cell('color')!.trim();
-    const color = written === null ? null : readHex(written);
-    if (written !== null && !color)
+    const written = cell('color');
+    const color = isNone(written) ? null : readHex(written);
+    if (!isNone(written) && !color)
       rows.report(`${where} got the color ${quote(written)}; expected one like "#ff8800". Another one is chosen`);
     const name = [cell('name'), cell('abbreviation')].find((one) => !isNone(one)) ?? '';
     rows.add(where, { id: Number(index), name, color, opacity: 1, hidden: false });
   }
   return rows.finish('BIDS');
-}
-
-function columnsOf(line: string): string[] {
-  return splitCells(line, '\t').map((column) => column.trim().toLowerCase());
 }
 
 function readHex(text: string): ReturnType<typeof colorOf> {

@@ -94,11 +94,35 @@ export function* linesOf(
   }
 }
 
+type Separator = '\t' | ',';
+
+/** The names of the columns that a text begins with, in small letters. */
+export function columnsOf(text: string, separator: Separator): readonly string[] {
+  const [line] = text.slice(0, 4096).split(/\r\n|\n|\r/, 1);
+  return splitCells(line, separator).map((column) => column.trim().toLowerCase());
+}
+
+/** The rows below a line with the names of columns. A cell that a row or the table lacks is ''. */
+export function* cellsOf(
+  text: string,
+  separator: Separator,
+): Generator<{ readonly where: string; readonly cell: (column: string) => string }> {
+  let columns: readonly string[] | null = null;
+  for (const { where, line } of linesOf(text, null)) {
+    if (!columns) {
+      columns = columnsOf(line, separator);
+      continue;
+    }
+    const [names, cells] = [columns, splitCells(line, separator)];
+    yield { where, cell: (column) => cells[names.indexOf(column)]?.trim() ?? '' };
+  }
+}
+
 /** Longer lines are none of names. */
 const longestLine = 10_000;
 
 /** A quote in quotes is written twice. A quote that does not begin a cell is a sign as others are. */
-export function splitCells(line: string, separator: '\t' | ','): string[] {
+function splitCells(line: string, separator: Separator): string[] {
   if (!line.includes('"') || line.length > longestLine) return line.split(separator);
   return Array.from(
     line.matchAll(new RegExp(`(?:"((?:[^"]|"")*)"|([^${separator}]*))(?:${separator}|$)`, 'g')),

@@ -1,11 +1,9 @@
-import { colorOf, linesOf, quote, splitCells, TableRows } from './label-table.ts';
+import { cellsOf, colorOf, columnsOf, quote, TableRows } from './label-table.ts';
 import type { LabelTable } from './label-table.ts';
-
-const columnsOf = (line: string): string[] => splitCells(line, ',').map((column) => column.trim().toLowerCase());
 
 /** Whether a text begins with the columns of a color table of 3D Slicer. */
 export function isSlicerTable(text: string): boolean {
-  const columns = columnsOf(text.slice(0, 4096).split(/\r\n|\n|\r/, 1)[0]);
+  const columns = columnsOf(text, ',');
   return columns.includes('labelvalue') && (columns.includes('name') || columns.includes('color_r'));
 }
 
@@ -16,14 +14,7 @@ export function isSlicerTable(text: string): boolean {
  */
 export function readSlicerTable(text: string): LabelTable {
   const rows = new TableRows();
-  let columns: string[] | null = null;
-  for (const { where, line } of linesOf(text, null)) {
-    if (!columns) {
-      columns = columnsOf(line);
-      continue;
-    }
-    const cells = splitCells(line, ',');
-    const cell = (name: string): string => cells[columns!.indexOf(name)]?.trim() ?? '';
+  for (const { where, cell } of cellsOf(text, ',')) {
     const id = cell('labelvalue');
     if (!/^[+-]?\d+$/.test(id)) {
       rows.refuse(where, `the LabelValue ${quote(id)}`, 'a whole number');
