@@ -1,4 +1,5 @@
 import type { Numbers, NumberType } from './data-tree.ts';
+import { readHalfFloats } from './half-floats.ts';
 import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 
 export const bytesOfNumber: Readonly<Record<NumberType, number>> = {
@@ -44,19 +45,10 @@ export function decodeNumbers(bytes: Uint8Array<ArrayBuffer>, type: NumberType, 
     case 'uint64':
       return Float64Array.from(new BigUint64Array(buffer, byteOffset, length), Number);
     case 'float16':
-      return Float32Array.from(new Uint16Array(buffer, byteOffset, length), decodeFloat16);
+      return readHalfFloats(new Uint8Array(buffer, byteOffset, 2 * length));
     case 'float32':
       return new Float32Array(buffer, byteOffset, length);
     case 'float64':
       return new Float64Array(buffer, byteOffset, length);
   }
-}
-
-/** Source: IEEE 754-2019, binary16: sign, 5 bits of exponent, 10 of fraction. */
-function decodeFloat16(bits: number): number {
-  const sign = bits & 0x8000 ? -1 : 1;
-  const exponent = (bits >> 10) & 0x1f;
-  const fraction = (bits & 0x3ff) / 1024;
-  if (exponent === 0x1f) return fraction === 0 ? sign * Infinity : NaN;
-  return exponent === 0 ? sign * fraction * 2 ** -14 : sign * (1 + fraction) * 2 ** (exponent - 15);
 }

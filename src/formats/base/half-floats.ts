@@ -1,4 +1,4 @@
-import { hostIsLittleEndian } from '../base/number-types.ts';
+import { floats, hostIsLittleEndian } from './number-types.ts';
 
 /** Floats of 16 bits, all of which a 32-bit float holds exactly. Source: IEEE 754-2008, binary16 */
 export function readHalfFloats({ buffer, byteOffset, byteLength }: Uint8Array): Float32Array<ArrayBuffer> {
@@ -20,6 +20,8 @@ export function readHalfFloats({ buffer, byteOffset, byteLength }: Uint8Array): 
   }
   return values;
 }
+
+export const float16 = floats('float16', 2, readHalfFloats);
 
 /** The bits of the float of 16 bits that is nearest to a number. */
 export function halfFloatBits(value: number): number {

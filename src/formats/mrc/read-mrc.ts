@@ -5,9 +5,9 @@ import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
 import type { FormatReader } from '../base/format.ts';
 import { millimetresOf } from '../base/length-units.ts';
-import { floats, numberTypes } from '../base/number-types.ts';
+import { float16 } from '../base/half-floats.ts';
+import { numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { readHalfFloats } from '../npy/half-floats.ts';
 import { readVolumes } from '../series/read-volumes.ts';
 import type { VolumesBehindHeader } from '../series/read-volumes.ts';
 
@@ -22,7 +22,7 @@ const types = new Map<number, NumberType>([
   [1, numberTypes.int16],
   [2, numberTypes.float32],
   [6, numberTypes.uint16],
-  [12, floats('float16', 2, readHalfFloats)],
+  [12, float16],
 ]);
 
 /** What an error says about other modes. Sources: MRC2014, word 4; IMOD, "The MRC file format used by IMOD" */

@@ -1,9 +1,9 @@
 import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
+import { float16 } from '../base/half-floats.ts';
 import { floats, numberTypes, viewAs } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
 import type { PieceReader } from '../base/piece-reader.ts';
-import { readHalfFloats } from './half-floats.ts';
 
 const what = 'the NPY header';
 
@@ -74,7 +74,7 @@ const types = new Map<string, NumberType>([
   ['u4', numberTypes.uint32],
   ['i8', numberTypes.int64],
   ['u8', numberTypes.uint64],
-  ['f2', floats('float16', 2, readHalfFloats)],
+  ['f2', float16],
   ['f4', numberTypes.float32],
   ['f8', numberTypes.float64],
   ['c8', floats('complex64', 4, viewAs(Float32Array), true)],

@@ -3,7 +3,7 @@ import { bytesOfColors, combineChannels, describeAlpha, describeLoss, lumaOf } f
 import { corruptFile } from '../base/file-problem.ts';
 import { countSampleBytes } from '../base/count-sample-bytes.ts';
 import { hostIsLittleEndian } from '../base/number-types.ts';
-import { readHalfFloats } from '../npy/half-floats.ts';
+import { readHalfFloats } from '../base/half-floats.ts';
 import { tags, what } from './tiff-file.ts';
 import type { TiffFile } from './tiff-file.ts';
 import type { TiffPage } from './tiff-page.ts';

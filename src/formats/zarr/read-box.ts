@@ -1,7 +1,7 @@
 import type { Budget } from '../base/budget.ts';
 import type { ProgressListener } from '../base/decoded-volume.ts';
+import { halfFloatBits } from '../base/half-floats.ts';
 import { hostIsLittleEndian, swapBytes } from '../base/number-types.ts';
-import { halfFloatBits } from '../npy/half-floats.ts';
 import { asNumbers, copyChunk } from './copy-chunk.ts';
 import type { FileTree } from './file-tree.ts';
 import { listChunks } from './list-chunks.ts';

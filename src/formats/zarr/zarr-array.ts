@@ -1,8 +1,8 @@
 import { checkLengths } from '../base/check-lengths.ts';
 import { corruptFile, unsupportedFile } from '../base/file-problem.ts';
-import { floats, numberTypes } from '../base/number-types.ts';
+import { float16 } from '../base/half-floats.ts';
+import { numberTypes } from '../base/number-types.ts';
 import type { NumberType } from '../base/number-types.ts';
-import { readHalfFloats } from '../npy/half-floats.ts';
 import { isObject, listOf, numbersOf, objectOf, shownWord } from './read-json.ts';
 import type { Json } from './read-json.ts';
 
@@ -50,8 +50,6 @@ export const maxChunkBytes = 2 ** 28;
 
 /** Chunks of a shard: an index of 16 MiB. */
 const maxChunksOfShard = 2 ** 20;
-
-const float16 = floats('float16', 2, readHalfFloats);
 
 const typeNames: ReadonlyMap<string, NumberType> = new Map(
   [...Object.values(numberTypes), float16].map((type) => [type.name, type] as const),

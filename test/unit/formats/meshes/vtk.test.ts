@@ -1,5 +1,6 @@
 // Legacy VTK files of surfaces, as vtkPolyDataWriter (VTK 9.7.2) writes them, and the triangles that vtkPolyDataReader and vtkTriangleFilter make.
 import { expect } from '@esm-bundle/chai';
+import { joinPieces } from '../../../../src/formats/base/join-pieces.ts';
 import { readMesh } from '../../../../src/formats/meshes/read-mesh.ts';
 import type { Mesh } from '../../../../src/formats/meshes/mesh.ts';
 import { refusalOf, surfaceOf } from '../../../helpers/meshes.ts';
@@ -20,13 +21,7 @@ function join(...parts: readonly Part[]): Uint8Array<ArrayBuffer> {
     });
     return new Uint8Array(view.buffer);
   });
-  const bytes = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.length;
-  }
-  return bytes;
+  return joinPieces(pieces);
 }
 
 const head = (version: string, form: string, title = 'vtk output'): string =>

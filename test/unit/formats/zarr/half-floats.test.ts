@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { chooseBrickNumbers } from '../../../../src/formats/zarr/brick-numbers.ts';
 import { readArray } from '../../../../src/formats/zarr/zarr-array.ts';
-import { halfFloatBits, readHalfFloats } from '../../../../src/formats/npy/half-floats.ts';
+import { halfFloatBits, readHalfFloats } from '../../../../src/formats/base/half-floats.ts';
 import { finishVolume } from '../../../../src/formats/finish-volume.ts';
 import { roomyLimits, valuesOf } from '../../../helpers/decode.ts';
 import { pyramidFiles } from '../../../helpers/zarr-bytes.ts';
