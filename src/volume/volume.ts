@@ -178,6 +178,11 @@ export function isPolar<V extends { readonly grid: Grid }>(volume: V): volume is
   return volume.grid.kind === 'polar';
 }
 
+/** Whether a volume is one slice, as a radiograph is, or one time of a film. */
+export function isSingleSlice({ kind, dimensions }: Pick<Grid, 'kind' | 'dimensions'>): boolean {
+  return kind !== 'polar' && dimensions.filter((n) => n === 1).length === 1;
+}
+
 /** One sweep of a radar scan, in numbers. */
 export interface SweepInfo {
   /** Degrees above the horizon. */

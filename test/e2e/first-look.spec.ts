@@ -1,5 +1,7 @@
 import { measureShare } from '../../scripts/measure-share.mjs';
 import { ballUrl, expect, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
 import type { Page } from '@playwright/test';
 
 const fixture = '/test/fixtures/radar/odim-2.1.h5';
@@ -31,6 +33,31 @@ test.describe('a bare tag', () => {
       expect(isCut).toBe(false);
     });
   }
+});
+
+/** Four bands of one slice: 0, 1000, 2000 and 4000. */
+const bands = syntheticVolume({
+  dimensions: [32, 24, 1],
+  field: (x) => [0, 0.25, 0.5, 1][Math.floor(4 * x)],
+  slope: 4000 / 65535,
+});
+const bandsUrl = `data:application/octet-stream;base64,${Buffer.from(niftiBytes(bands)).toString('base64')}`;
+
+test('a single slice is a picture in gray, from black to white, and nothing shines through', async ({ page }) => {
+  await open(page, `<volume-view src="${bandsUrl}" style="width: 200px; height: 150px"></volume-view>`);
+  await settle(page);
+  const { data, width, height } = await takePicture(page);
+  const row = data.subarray(4 * width * Math.floor(height / 2)).subarray(0, 4 * width);
+  const seen = Array.from({ length: width }, (_, i) => i).filter((i) => row[4 * i + 3] > 0);
+  expect(seen.length).toBeGreaterThan(0.5 * width);
+  const pixels = [1, 3, 5, 7].map((eighth) => {
+    const at = 4 * seen[Math.floor((eighth * seen.length) / 8)];
+    return [...row.subarray(at, at + 4)];
+  });
+  const grays = pixels.map(([gray]) => gray);
+  for (const [i, pixel] of pixels.entries()) expect(pixel).toEqual([grays[i], grays[i], grays[i], 255]);
+  // The columns of the volume run to the patient's left: to the right, as patients are looked at from their feet.
+  for (const [i, gray] of [0, 63.75, 127.5, 255].entries()) expect(Math.abs(grays[i] - gray)).toBeLessThan(2);
 });
 
 test('the camera stays where it is when colours change, and is framed again for another place', async ({ page }) => {

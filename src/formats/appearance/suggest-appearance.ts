@@ -55,15 +55,21 @@ export async function suggestAppearance(
       hasRuns(decoded.samples) ||
       counts.filter(Boolean).length < fewBins ||
       high < fewHigh * decoded.samples.length);
-  const found = isUnusual
+  let found = isUnusual
     ? (await loadReader(() => import('./unusual-appearance.ts'))).findUnusualAppearance(decoded, histogram)
     : null;
+  if (decoded.grid.dimensions.includes(1))
+    found = (await loadReader(() => import('#rare/formats/appearance/slice-appearance.ts'))).sliceAppearance(
+      decoded,
+      histogram,
+      found,
+    );
   return {
     ...found,
     window:
       (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ??
       found?.window ??
       windowFromHistogram(histogram),
-    transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
+    transferFunction: transferFunction ?? found?.transferFunction ?? presetOfUnit(unit),
   };
 }

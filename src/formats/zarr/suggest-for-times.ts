@@ -69,7 +69,7 @@ export async function suggestForTimes(
     const [samples] = await sample([shown.index]);
     const { histogram } = summarize(samples, 1, 0);
     const [nx, ny, nz] = box.dimensions;
-    const grid = cartesianGrid([nx, ny, nz * chooseLookedAt(times).length], worldOfBox(box, axes));
+    const grid = cartesianGrid([nx, ny * chooseLookedAt(times).length, nz], worldOfBox(box, axes));
     const { isDiscrete, window, transferFunction } = await suggestAppearance(
       { ...describe, grid, samples, slope: 1, intercept: 0 },
       histogram,

@@ -1,5 +1,6 @@
 // Ready-made appearances with one-word names: loaded with the first page that names one.
 import { invalidAttribute } from '../../core/errors.ts';
+import { sliceStops } from '../../volume/slice-stops.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
@@ -100,7 +101,8 @@ function explain(word: string): string {
 }
 
 function kindOf(volume: ScanModel): Kind {
-  const scan = scanKindOf(volume);
+  const isPicture = volume.transferFunction === sliceStops;
+  const scan = scanKindOf(isPicture ? { ...volume, transferFunction: undefined } : volume);
   if (scan) return scan;
   if (volume.isDiscrete) return 'things';
   const isMask = volume.transferFunction && !isPolar(volume);

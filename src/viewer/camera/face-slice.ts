@@ -1,7 +1,7 @@
 import type { Orbit } from '../../optics/rays/camera.ts';
 import { cross, normalize } from '../../volume/matrix.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import { isPolar } from '../../volume/volume.ts';
+import { isSingleSlice } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 
 /**
@@ -10,7 +10,7 @@ import type { Volume } from '../../volume/volume.ts';
  * vertical axis, as upright cameras can't turn around what they look along.
  */
 export function faceSlice({ grid, radar }: Pick<Volume, 'grid' | 'radar'>): Pick<Orbit, 'theta' | 'phi'> | undefined {
-  if (isPolar({ grid }) || grid.dimensions.filter((n) => n === 1).length !== 1) return undefined;
+  if (!isSingleSlice(grid)) return undefined;
   const m = grid.indexToWorld;
   const [one, other] = [0, 1, 2]
     .filter((axis) => grid.dimensions[axis] > 1)

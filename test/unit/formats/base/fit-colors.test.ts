@@ -29,6 +29,12 @@ const decoded = (values: Uint8Array<ArrayBuffer>): DecodedCartesianVolume => ({
 });
 
 describe('volumes in colours', () => {
+  it('of one slice are opaque, also where they are black', () => {
+    const slice = { ...decoded(rgb), grid: cartesianGrid([8, 8, 1], axialIndexToWorld([8, 8, 1], [1, 1, 1])) };
+    expect(fitColors(slice, roomyLimits).transferFunction).to.equal('0 white 30%, 255 white 30%');
+    expect(fitColors(decoded(rgb), roomyLimits).transferFunction).to.match(/^0 white 0,/);
+  });
+
   it('have the mean of colours where a device holds fewer voxels, at the same places', () => {
     // Brightness and colours of a voxel take five bytes: 8 voxels have room.
     const volume = fitColors(decoded(rgb), { ...roomyLimits, maxBytes: 40 });

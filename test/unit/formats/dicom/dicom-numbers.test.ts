@@ -114,7 +114,7 @@ const valuesOfSlices = async (files: readonly DicomFields[]): Promise<number[]> 
 
 describe('values of DICOM files', () => {
   it('are Hounsfield units of a CT, whose file says how they are scaled', async () => {
-    const volume = await decodeFields([ctSlice(0)]);
+    const volume = await decodeFields([ctSlice(0), ctSlice(1)]);
     expect(volume).to.include({ unit: 'HU', format: 'DICOM, CT', transferFunction: 'ct-bone' });
     expect(volume.window?.every(Number.isFinite)).to.equal(true);
   });

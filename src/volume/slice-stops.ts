@@ -1,0 +1,5 @@
+/**
+ * The colours of a volume of one slice: from black to white, and nothing shines through, as in a photograph. A slice is at least 20 reference lengths thick, so 0.08 % of what
+ * is behind it is left; with more opacity, a layer in the same place would be pale.
+ */
+export const sliceStops = '0% black 30%, 100% white 30%';
