@@ -18,10 +18,20 @@ function run(part, factory) {
   factory(require, (modules[part] = {}));
 }
 
+const needs = PART_NEEDS.split(',');
+
 /** A part and those that it needs, directly or not. */
 function listNeeds(part) {
   const all = new Set([Number(part)]);
-  for (const one of all) for (const needed of PART_NEEDS[one] || []) all.add(needed);
+  for (const one of all) {
+    let [needed, gap] = [0, 0];
+    for (const letter of needs[one]) {
+      gap = 26 * gap + parseInt(letter, 36) - 10;
+      if (letter < 'a') continue;
+      all.add((needed += gap));
+      gap = 0;
+    }
+  }
   return [...all];
 }
 

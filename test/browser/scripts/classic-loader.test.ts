@@ -14,15 +14,18 @@ const asModule = new Blob(
   { type: 'text/javascript' },
 );
 const { createLoader } = (await import(URL.createObjectURL(asModule))) as {
-  createLoader(version: string, needs: Record<number, number[]>): Loader;
+  createLoader(version: string, needs: string): Loader;
 };
+
+/** Of ten parts. */
+const noNeeds = ','.repeat(9);
 
 let copies = 0;
 
 /** A loader with an entry, whose scripts do what the test says; without anything they could not be loaded. */
 function withServer(
   scripts: Record<string, (() => void) | undefined>,
-  needs: Record<number, number[]> = {},
+  needs = noNeeds,
 ): { loader: Loader; asked: string[]; define: (part: number, factory: Factory) => void } {
   const version = `test${copies++}`;
   const asked: string[] = [];
@@ -57,11 +60,22 @@ describe('parts of the classic script', () => {
         '2.js': () => define(2, (require, exports) => (exports.two = (require('./3').three as number) - 1)),
         '3.js': () => define(3, (_, exports) => (exports.three = 3)),
       },
-      { 1: [2], 2: [3] },
+      ',c,d,,,',
     );
     const [first, second] = await Promise.all([load(loader, 1), load(loader, 1)]);
     expect([first.sum, second, loader.require('./1')]).to.deep.equal([3, first, first]);
     expect(asked).to.have.members([1, 2, 3].map((part) => `https://example.test/dist/classic/${part}.js`));
+  });
+
+  it('come with those of which the build writes the gaps', async () => {
+    const empty = (part: number, define: (part: number, factory: Factory) => void) => (): void =>
+      define(part, () => {});
+    const all = [1, 2, 30, 700];
+    const scripts: Parameters<typeof withServer>[0] = {};
+    const { loader, asked, define } = withServer(scripts, `,cBcZu${','.repeat(700)}`);
+    for (const part of all) scripts[`${part}.js`] = empty(part, define);
+    await load(loader, 1);
+    expect(asked).to.have.members(all.map((part) => `https://example.test/dist/classic/${part}.js`));
   });
 
   it('are asked for again where they were missing', async () => {
@@ -85,7 +99,7 @@ describe('parts of the classic script', () => {
   it('wait for what they need where their own script came first', async () => {
     const { loader, asked, define } = withServer(
       { '2.js': () => define(2, (_, exports) => (exports.two = 2)) },
-      { 1: [2] },
+      ',c,,',
     );
     define(1, (require, exports) => (exports.sum = (require('./2').two as number) + 1));
     expect((await load(loader, 1)).sum).to.equal(3);
