@@ -28,6 +28,15 @@ export interface ResidualTable {
   readonly along?: readonly number[];
 }
 
+/** Voxels of a block of a table along each axis, where there are at most so many of the small ones: the rim of a thing is rougher than what is around it. */
+const [smallBlock, largeBlock, mostSmall] = [16, 32, 2 ** 15];
+
+/** Voxels along each axis of the blocks that a writer chooses. @param dimensions - of level 0 */
+export function blockOfResiduals(dimensions: Vector3): number {
+  const count = dimensions.reduce((product, n) => product * Math.ceil(n / smallBlock), 1);
+  return count <= mostSmall ? smallBlock : largeBlock;
+}
+
 /** Where a voxel of level 0 lies between two voxels of a coarser level, along one axis. */
 interface Between {
   readonly first: Int32Array;
@@ -50,7 +59,7 @@ function placesBetween(count: number, level: number, coarse: number): Between {
 /**
  * Measures what each level hides. Where only one of both has data, the residual is the whole range of the volume: an edge of the data is
  * always worth a look.
- * @param side - of a block; half of a brick's is a good choice: bricks are seldom visible as a whole
+ * @param side - of a block
  */
 export function measureResiduals({ levels }: Pick<Pyramid, 'levels'>, side: number): ResidualTable {
   const { dimensions, samples } = levels[0];

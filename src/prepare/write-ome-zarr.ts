@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../core/errors.ts';
 import { buildPyramid, copyBrick } from '../bricks/pyramid.ts';
 import type { Pyramid } from '../bricks/pyramid.ts';
-import { measureResiduals } from '../bricks/residuals.ts';
+import { blockOfResiduals, measureResiduals } from '../bricks/residuals.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Samples } from '../volume/samples.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -14,6 +14,9 @@ import type { ArrayData, ArrayLayout, StoreFile } from './zarr-arrays.ts';
 
 /** Voxels of a chunk along each axis. */
 const side = 32;
+
+/** Binary digits that numbers of what the levels hide have after their first one: with all of them, packed files are twice as long. */
+const digits = 4;
 
 /** Chunks of a shard along each axis: 256 voxels. */
 const chunksPerShard = 8;
@@ -222,9 +225,10 @@ function levelArray(pyramid: Pyramid, level: number, { offset, type }: Pick<Writ
   };
 }
 
-/** What each level hides, as arrays of one number a block: a block is a chunk of level 0. */
+/** What each level hides, as arrays of one number a block. */
 function* writeResiduals(pyramid: Pyramid, offset: number, layout: ArrayLayout): Generator<StoreFile> {
-  const { blocks, low, high, levels, along } = measureResiduals(pyramid, side);
+  const block = blockOfResiduals(pyramid.levels[0].dimensions);
+  const { blocks, low, high, levels, along } = measureResiduals(pyramid, block);
   const array = (numbers: Float32Array<ArrayBuffer>): ArrayData => ({
     type: 'float32',
     dimensions: blocks,
@@ -237,7 +241,7 @@ function* writeResiduals(pyramid: Pyramid, offset: number, layout: ArrayLayout):
     jsonOf({
       zarr_format: 3,
       node_type: 'group',
-      attributes: { 'volume-view': { version: 1, block: [side, side, side], levels: levels.length, along } },
+      attributes: { 'volume-view': { version: 1, block: [block, block, block], levels: levels.length, along } },
     }),
   ];
   yield* writeArray(
@@ -252,9 +256,19 @@ function* writeResiduals(pyramid: Pyramid, offset: number, layout: ArrayLayout):
   );
   for (const [level, { rms, max }] of levels.entries()) {
     if (level === 0) continue;
-    yield* writeArray(`${residualsGroup}/residual-rms-${level}`, array(rms), layout);
-    yield* writeArray(`${residualsGroup}/residual-max-${level}`, array(max), layout);
+    yield* writeArray(`${residualsGroup}/residual-rms-${level}`, array(shorten(rms, 'nearest')), layout);
+    yield* writeArray(`${residualsGroup}/residual-max-${level}`, array(shorten(max, 'up')), layout);
   }
+}
+
+/** Numbers from 0 on with few binary digits. */
+function shorten(numbers: Float32Array, way: 'nearest' | 'up'): Float32Array<ArrayBuffer> {
+  const short = Float32Array.from(numbers);
+  const bits = new Uint32Array(short.buffer);
+  const rest = 2 ** (23 - digits) - 1;
+  const more = way === 'up' ? rest : (rest + 1) / 2;
+  for (const [n, all] of bits.entries()) bits[n] = (all + more) & ~rest;
+  return short;
 }
 
 /** The bytes of numbers. */
