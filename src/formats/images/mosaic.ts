@@ -37,7 +37,7 @@ export function readMosaic(
     throw new VolumeViewError(
       'mosaic/layout',
       `the image of ${image.width} x ${image.height} pixels got no mosaic layout; expected mosaic="COLUMNSxROWS" ` +
-        '(tiles per row and column), and slices="N" where not all tiles are used',
+        '(tiles per row and column), and slices="N" where not all tiles are used; or the attribute stack for an image that is one slice',
     );
   }
   const layout = checkMosaicLayout(image, settings.mosaic, settings.slices);
