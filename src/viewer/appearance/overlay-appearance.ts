@@ -3,6 +3,7 @@ import { overlayBlends } from '../../optics/attachments/overlay.ts';
 import type { OverlayBlend } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
+import { sliceStops } from '../../volume/slice-stops.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { findWindow } from './find-window.ts';
 import { parseFactor, parseWindow, parseWord } from '../model/parse-attributes.ts';
@@ -42,7 +43,9 @@ export async function resolveOverlayAppearance(
       '<volume-layer> got labels, whole numbers that stand for things; expected measured values. Use <volume-labels>, or say with transfer-function what these values look like.',
     );
   }
-  const suggested = volume.transferFunction === 'diverging' ? bothSigns : (volume.transferFunction ?? glow);
+  const own = volume.transferFunction;
+  // A picture of one slice would hide what is below it.
+  const suggested = own === 'diverging' ? bothSigns : own === undefined || own === sliceStops ? glow : own;
   const window =
     (valueWindow === null ? null : findWindow(parseWindow(valueWindow), volume)) ?? volume.window ?? volume.range;
   return {
