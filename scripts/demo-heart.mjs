@@ -6,11 +6,11 @@ const edge = 56;
 const spacing = 2.2;
 
 /** Frames of a beat, and seconds from one to the next. */
-const frames = 20;
-const step = 0.045;
+export const frames = 20;
+export const step = 0.045;
 
 /** How far the heart has contracted, 0 to 1: it takes a third of the beat, and lets go more slowly. @param {number} share - of the beat */
-const contractionAt = (share) =>
+export const contractionAt = (share) =>
   share < 0.4 ? Math.sin((Math.PI * share) / 0.8) ** 2 : Math.cos((Math.PI * (share - 0.4)) / 1.2) ** 2;
 
 /** 1 within a surface, 0 beyond it, with an edge of two voxels. @param {number} depth - mm below the surface */
@@ -20,7 +20,7 @@ const inside = (depth) => Math.min(1, Math.max(0, 0.5 + depth / (2 * spacing)));
 const depthIn = (at, radii) => (1 - Math.hypot(...at.map((x, axis) => x / radii[axis]))) * Math.min(...radii);
 
 /** The brightness of a place, 0 to 255. @param {readonly number[]} place - mm from the middle of the left ventricle @param {number} contraction */
-function valueAt([x, y, z], contraction) {
+export function valueAt([x, y, z], contraction) {
   // Above the base there are no ventricles; the apex stays where it is, and the base moves down to it.
   const base = 34 - 10 * contraction;
   const below = inside(base - z);

@@ -10,6 +10,7 @@ import { encode } from 'fast-png';
 import { zipSync } from 'fflate';
 import { runnerImport } from 'vite';
 import { writeDemoCells } from './demo-cells.mjs';
+import { writeHeartFilm, writeRadiograph } from './demo-films.mjs';
 import { paintHeart } from './demo-heart.mjs';
 import { writeDemoLabels } from './demo-labels.mjs';
 import { writeDemoMotor } from './demo-motor.mjs';
@@ -233,6 +234,8 @@ await writeManifest('storm-synthetic.json', {
   credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT',
 });
 await makeHeart();
+writeFileSync(join(target, 'torso-radiograph.dcm'), writeRadiograph(paintTorso()));
+writeFileSync(join(target, 'heart-film.dcm'), writeHeartFilm());
 await makeRadarScans();
 await makeHead();
 copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin27-t1.nii.gz'));

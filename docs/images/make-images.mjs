@@ -126,6 +126,7 @@ const pictures = [
     })),
     2,
   ),
+  card('pictures', [{ attributes: { src: '/demos/data/torso-radiograph.dcm' } }]),
   card('transfer-function', [
     {
       attributes: {

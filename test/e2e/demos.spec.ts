@@ -5,7 +5,7 @@ import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
 import { openDemo } from './helpers/demo.ts';
-import { compare, expect, fewPixels, settle, takePicture, test } from './helpers/harness.ts';
+import { compare, expect, fewPixels, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
 const small = 'volume-view { inline-size: 2rem !important }';
@@ -244,4 +244,38 @@ test('the projections are four pictures, and none is black', async ({ page }) =>
     for (const other of pictures.slice(0, i)) expect(compare(one, other).rmse).toBeGreaterThan(20);
   await expect(page.locator('#markup')).toContainText('value-window="-700 -100"');
   await expect(page.locator('#torso')).not.toHaveAttribute('region');
+});
+
+test('the X-ray picture is gray in the window of its file, and the film beats', async ({ page }) => {
+  await openDemo(
+    page,
+    'pictures.html',
+    '#chest { inline-size: 240px !important } #film { inline-size: 160px !important }',
+  );
+  for (const id of ['#chest', '#film']) await settle(page, id);
+  const { window, dimensions } = await withElement(
+    page,
+    ({ optics, volume }) => ({ window: optics!.window, dimensions: volume!.dimensions }),
+    { selector: '#chest' },
+  );
+  expect(window).toEqual([300, 2600]);
+  expect(dimensions).toEqual([320, 320, 1]);
+  const { data, width, height } = await takePicture(page, { selector: '#chest' });
+  const colorful = Array.from(
+    { length: data.length / 4 },
+    (_, i) => Math.max(...data.subarray(4 * i, 4 * i + 3)) - Math.min(...data.subarray(4 * i, 4 * i + 3)),
+  );
+  expect(Math.max(...colorful)).toBeLessThanOrEqual(1);
+  const at = (x: number, y: number) => data[4 * (Math.round(y * height) * width + Math.round(x * width))];
+  expect(at(0.5, 0.4)).toBeGreaterThan(at(0.4, 0.35) + 60); // The spine is bright, the lungs are dark.
+  // The heart lies more to the patient's left, which is at the right of the picture.
+  expect(at(0.58, 0.45)).toBeGreaterThan(at(0.42, 0.45) + 30);
+
+  const times = () => withElement(page, ({ times }) => times, { selector: '#film' });
+  expect(await times()).toHaveLength(20);
+  expect((await times()).slice(0, 2)).toEqual(['0 s', '0.045 s']);
+  const relaxed = await takePicture(page, { selector: '#film' });
+  await withElement(page, (film) => film.setAttribute('time', '9'), { selector: '#film' });
+  await settle(page, '#film');
+  expect(compare(relaxed, await takePicture(page, { selector: '#film' })).rmse).toBeGreaterThan(10);
 });

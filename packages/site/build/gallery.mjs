@@ -22,6 +22,7 @@ export const pagesOfDemos = {
   pointing: 'pointing',
   'over-time': 'scans-in-time',
   video: 'scans-in-time',
+  pictures: 'scans-in-time',
   layers: 'layers',
   microscopy: 'data',
   large: 'data',
