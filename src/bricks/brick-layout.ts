@@ -140,6 +140,25 @@ export function layBricks(grid: GridFrame, levels: readonly BrickLevel[]): Brick
   return { levels: frames, cells, groupSide: chooseGroupSide(cells), finest: gridOfLevel(grid, frames[0]) };
 }
 
+/** How far, in its voxels, a level may end from where one of exactly twice, four times ... as long voxels would: filters of devices see less. */
+const endsAlike = 2 ** -10;
+
+/**
+ * How often voxels of each level of bricks, then those of the volume over which they lie, are twice as long as the finest ones, along each axis; null where a level's
+ * voxels are longer by another factor. Finest level first.
+ */
+export function halvingsOf({ levels }: Pick<BrickLayout, 'levels'>, volume: Vector3): readonly Vector3[] | null {
+  const scales = [...levels.map(({ scale }) => scale), volume];
+  const halvings = scales.map((scale) => scale.map((n, axis) => Math.round(Math.log2(levels[0].scale[axis] / n))));
+  const isHalved = halvings.every((times, level) =>
+    times.every(
+      (n, axis) =>
+        n >= 0 && n <= mostLevels && Math.abs(levels[0].scale[axis] / 2 ** n - scales[level][axis]) < endsAlike,
+    ),
+  );
+  return isHalved ? (halvings as unknown as readonly Vector3[]) : null;
+}
+
 /** A level as a grid over the unit cube of a volume; its voxels need not be whole there. */
 export function gridOfLevel(grid: GridFrame, { scale }: LevelFrame): GridFrame {
   const each = scale.map((n) => 1 / n) as unknown as Vector3;

@@ -31,6 +31,7 @@ const programs = [
   'folder',
   'bricks',
   'bricked',
+  'bricked-frames',
   'bricked-peers',
   'soak',
   'many-bricked',

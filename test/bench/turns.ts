@@ -3,6 +3,7 @@ import { fieldProviders } from '../../components/internal/field-providers.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
+import type { GridFrame } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { changePlan } from '../helpers/change-plan.ts';
@@ -20,6 +21,8 @@ export interface TurnScene {
   readonly referenceLength: number;
   /** Pixels along each side. */
   readonly size: number;
+  /** What is in sight; the volume itself, if absent. */
+  readonly around?: GridFrame;
 }
 
 /** A volume in a canvas of its own, all of it in sight. */
@@ -28,8 +31,9 @@ export async function openTurnScene({
   transferFunction,
   referenceLength,
   size,
+  around = volume.grid,
 }: TurnScene): Promise<{ scene: VolumeScene; dispose: () => void }> {
-  const { center, radius } = boundingSphere(volume.grid);
+  const { center, radius } = boundingSphere(around);
   const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
   const host = document.createElement('div');
   document.body.append(host);

@@ -54,8 +54,14 @@ const cartesian = (webgl2: boolean): RayText[] => [
   ),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
   ...weighed(webgl2),
-  ...(webgl2 ? [bricksText({ twoBytes: true, noData: false, filterInShader: false })] : []),
-  ...(webgl2 ? bits.map((filterInShader) => bricksText({ twoBytes: false, noData: true, filterInShader })) : []),
+  ...(webgl2
+    ? [bricksText({ twoBytes: true, noData: false, filterInShader: false, grouped: true, halved: true })]
+    : []),
+  ...(webgl2
+    ? bits.map((filterInShader) =>
+        bricksText({ twoBytes: false, noData: true, filterInShader, grouped: filterInShader, halved: false }),
+      )
+    : []),
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 

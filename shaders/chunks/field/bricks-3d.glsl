@@ -2,12 +2,25 @@
 /// Twin: bricks/resident-bricks.ts
 uniform sampler3D uVolume;
 
-/// A texel for each group of cells (bricks of the finest level). What all of its cells show lies at the texel of the atlas = place * scale + its x, y, z; its w is
-/// the number of the scale, plus 1/2 where a voxel that it is interpolated from may lack data. Where w is below 0, its cells have texels of their own: at the cell + x, y, z.
+/// A texel for each cell (brick of the finest level). What it shows lies at the texel of the atlas = place * scale + its x, y, z; its w says which scale that is, plus
+/// LACKING where a voxel that it is interpolated from may lack data. With GROUPED_PAGES it is one for each group of cells: where w is below 0, these have texels of
+/// their own, at the cell + x, y, z.
 uniform sampler3D uBrickPages;
 
-/// Voxels along the unit cube: of the levels of bricks, finest first, then of the volume over which they lie.
+#define LACKING 4096
+
+/// Voxels along the unit cube: of the finest level; and of the finest level of which there are bricks, for the walk.
+uniform vec3 uFinestVoxels;
+uniform vec3 uPlaneVoxels;
+
+#define FINEST_VOXELS uFinestVoxels
+#define PLANE_VOXELS uPlaneVoxels
+
+#if !HALVED_LEVELS
+/// The same of all levels of bricks, finest first, then of the volume over which they lie: w is a number of one of them. With HALVED_LEVELS, w counts how often voxels
+/// are twice as long as the finest ones, in 4 bits for each axis.
 uniform vec3 uLevelScales[16];
+#endif
 
 /// Cell = place * the first + the second; and the last one.
 uniform vec3 uCellScale;
@@ -24,13 +37,6 @@ uniform vec3 uFinestHigh;
 /// 1 / texels of the atlas.
 uniform vec3 uPerTexel;
 
-/// Voxels along the unit cube: of the finest level, for light; and of the finest level of which there are bricks, for the walk.
-uniform vec3 uFinestVoxels;
-uniform vec3 uPlaneVoxels;
-
-#define FINEST_VOXELS uFinestVoxels
-#define PLANE_VOXELS uPlaneVoxels
-
 /// Of what is shown at the last place that `inAtlas` was asked for: voxels along the unit cube, cells along each axis that are known to show the same brick, and
 /// whether any of its voxels may lack data.
 vec3 voxelScale;
@@ -43,25 +49,46 @@ float longer = 1.0;
 float samplesPerVoxel = 1.0;
 float toWall = 0.0;
 
+/// 2 to a power, of its bits: 127 << 23 are those of 1.0. Processors have no quick way to shift by a number that differs from pixel to pixel.
+float powerOfTwo(int power) {
+  return intBitsToFloat((127 + power) << 23);
+}
+
 /// The distance of samples in a cell, in steps; code: of the cell, 4 more for each doubling of the length of its voxels; within: whole steps that are left in it;
 /// power: uDetailPower, which is far below 0 where cells do not matter. Twin: optics/cells/min-substeps.ts
 float spacingOf(float code, float power, float within) {
   int known = int(code + 0.5);
-  samplesPerVoxel = float(1 << int(clamp(float(known & 3) + power, 0.0, 3.0) + 0.5));
-  longer = power < -4.5 ? 1.0 : float(1 << (known >> 2));
+  int cuts = int(clamp(float(known & 3) + power, 0.0, 3.0) + 0.5);
+  int doublings = power < -4.5 ? 0 : known >> 2;
+  samplesPerVoxel = powerOfTwo(cuts);
+  longer = powerOfTwo(doublings);
   toWall = max(1.0, within);
-  return min(longer / samplesPerVoxel, toWall);
+  return min(powerOfTwo(doublings - cuts), toWall);
+}
+
+/// Voxels along the unit cube, by the w of a page. Processors have no quick way to look up an array either.
+vec3 scaleOf(int code) {
+#if HALVED_LEVELS
+  ivec3 halvings = ivec3(code, code >> 4, code >> 8) & 15;
+  return uFinestVoxels * intBitsToFloat((127 - halvings) << 23);
+#else
+  return uLevelScales[code & 15];
+#endif
 }
 
 /// The texel of the atlas where the value at a place lies; p: unit cube. Halos have what interpolation there needs, and that of the places a texel away along each axis, also at the ends of a level.
 vec3 inAtlas(vec3 p) {
   vec3 place = clamp(p, uFinestLow, uFinestHigh);
   vec3 cell = min(place * uCellScale + uCellShift, uLastCell);
+#if GROUPED_PAGES
   vec4 page = texelFetch(uBrickPages, ivec3(cell * uPerGroup), 0);
   sameCells = page.w < 0.0 ? 1.0 : 1.0 / uPerGroup;
   if (page.w < 0.0) page = texelFetch(uBrickPages, ivec3(cell + page.xyz), 0);
-  voxelScale = uLevelScales[int(page.w)];
-  mayLackData = fract(page.w) > 0.25;
+#else
+  vec4 page = texelFetch(uBrickPages, ivec3(cell), 0);
+#endif
+  voxelScale = scaleOf(int(page.w));
+  mayLackData = page.w >= float(LACKING);
   return place * voxelScale + page.xyz;
 }
 

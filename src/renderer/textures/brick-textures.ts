@@ -1,5 +1,5 @@
 import { brickHalo, brickSide, slotSide } from '../../bricks/brick-data.ts';
-import { placeOfSlot } from '../../bricks/brick-layout.ts';
+import { halvingsOf, placeOfSlot } from '../../bricks/brick-layout.ts';
 import type { AtlasShape } from '../../bricks/brick-layout.ts';
 import {
   bytesOfCell,
@@ -26,8 +26,11 @@ const growth = 4;
 /** Floats of a cell in the page table. */
 const cellFloats = bytesOfCell / 4;
 
-/** What the page table adds to a number of a scale. Twin: shaders/chunks/field/bricks-3d.glsl */
-const lacking = ({ hasNoData }: Pick<VolumeData, 'hasNoData'>): number => (hasNoData ? 0.5 : 0);
+/** What the page table adds to a scale. Twin: shaders/chunks/field/bricks-3d.glsl, LACKING */
+const lacking = ({ hasNoData }: Pick<VolumeData, 'hasNoData'>): number => (hasNoData ? 4096 : 0);
+
+/** How the page table says halvings along x, y and z. Twin: shaders/chunks/field/bricks-3d.glsl, scaleOf */
+const packHalvings = ([x, y, z]: Vector3): number => x + 16 * y + 256 * z;
 
 /** How samples become texels. */
 export interface BrickPacking {
@@ -42,6 +45,8 @@ export class BrickTextures {
   #atlas: WebGLTexture | null = null;
   #layers = 0;
   readonly #table: TableShape;
+  /** How the page table says which scale a brick of a level has; the last one is that of the volume. */
+  readonly #scaleCodes: readonly number[];
   #pages: WebGLTexture | null = null;
   #blockLayers = 0;
   /** The bricks that are in the atlas, by slot; and the last changes that the atlas and the table have. */
@@ -57,6 +62,10 @@ export class BrickTextures {
   ) {
     this.#shape = bricks.atlas;
     this.#table = shapeTable(bricks.layout);
+    const { levels } = bricks.layout;
+    this.#scaleCodes =
+      halvingsOf(bricks.layout, volume.grid.dimensions)?.map(packHalvings) ??
+      Array.from({ length: levels.length + 1 }, (_, level) => level);
     bricks.fitted.add(this.#shrink);
   }
 
@@ -263,13 +272,13 @@ export class BrickTextures {
     const brick = this.bricks.inSlot(number - 1);
     if (!brick) {
       into.fill(brickHalo, 0, 3);
-      into[3] = layout.levels.length + lacking(this.bricks.volume);
+      into[3] = this.#scaleCodes[layout.levels.length] + lacking(this.bricks.volume);
       return;
     }
     const { level, at, slot } = brick;
     const { shift } = layout.levels[level];
     const place = placeOfSlot(this.#shape, slot);
     for (let axis = 0; axis < 3; axis++) into[axis] = place[axis] + brickHalo - brickSide * at[axis] + shift[axis];
-    into[3] = level + lacking(brick);
+    into[3] = this.#scaleCodes[level] + lacking(brick);
   }
 }

@@ -1,6 +1,8 @@
 // Bricks of finer levels over a volume: the whole volume's picture where all are there, and the twin's where some are.
 import { expect } from '@esm-bundle/chai';
+import { halvingsOf } from '../../../src/bricks/brick-layout.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
+import { ResidentBricks } from '../../../src/bricks/resident-bricks.ts';
 import { minSubsteps } from '../../../src/optics/cells/min-substeps.ts';
 import { wholeSteps } from '../../../src/optics/cells/substeps.ts';
 import type { Substeps } from '../../../src/optics/cells/substeps.ts';
@@ -228,6 +230,34 @@ describe('bricks over a volume', () => {
       expect(comparePictures(later, before).worst).to.equal(0);
     });
   }
+
+  for (const [name, times, isHalved] of [
+    ['not exactly twice as long', [0.97, 0.97, 0.97], false],
+    ['twice as long along x and z, and four times along y', [1, 0.5, 1], true],
+  ] as const)
+    for (const style of [null, { lit: true }] as const)
+      it(`are drawn as the twin casts them where a level's voxels are ${name}${style ? ', lit' : ''}`, async () => {
+        const one: Case = { name: 'fog', style };
+        const view = viewOf(one);
+        const { pyramid, layout, volume } = cutIntoBricks(view.volume, 3, some);
+        const [finest, next] = layout.levels;
+        const scale = next.scale.map((n, axis) => times[axis] * n) as unknown as Vector3;
+        const other = { ...layout, levels: [finest, { ...next, scale }] };
+        expect([layout, other].map((all) => halvingsOf(all, volume.grid.dimensions) !== null)).to.deep.equal([
+          true,
+          isHalved,
+        ]);
+        const finer = new ResidentBricks(volume, other, volume.finer.upload);
+        for (const { level, at } of volume.finer.bricks) finer.add({ level, at }, readBrick(pyramid, { level, at }));
+        const { macrocells } = finer.current(volume);
+        const changed = { ...view, volume: { ...volume, macrocells, finer } };
+        const mixed = await draw(scene(), one, { ...view, volume });
+        const drawn = await draw(scene(), one, changed);
+        expect(comparePictures(drawn, mixed).worst, 'the other scale is seen').to.be.above(5);
+        const { worst, rmse } = comparePictures(drawn, await castInFloat64(scene(), changed));
+        expect(rmse).to.be.at.most(0.5);
+        expect(worst).to.be.at.most(2);
+      });
 
   it('of an opaque thing: no pixel at a border of theirs shows what lies below its surface', async () => {
     const stone = (x: number, y: number, z: number): number => {

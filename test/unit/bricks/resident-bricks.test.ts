@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import {
   atlasEdge,
   brickOfCell,
+  halvingsOf,
   layBricks,
   mostLevels,
   placeOfSlot,
@@ -11,7 +12,7 @@ import {
 import { chooseGroupSide } from '../../../src/bricks/cell-numbers.ts';
 import { brickSide, slotSide } from '../../../src/bricks/brick-data.ts';
 import { listBricks } from '../../../src/bricks/pyramid.ts';
-import type { AtlasShape } from '../../../src/bricks/brick-layout.ts';
+import type { AtlasShape, LevelFrame } from '../../../src/bricks/brick-layout.ts';
 import type { Brick } from '../../../src/bricks/pyramid.ts';
 import { keyOfBrick, ResidentBricks } from '../../../src/bricks/resident-bricks.ts';
 import { interpolate } from '../../../src/optics/rays/interpolate.ts';
@@ -283,6 +284,31 @@ describe('bricks that come and go', () => {
 });
 
 describe('the layout of bricks', () => {
+  it('says how often voxels are twice as long along each axis, and null where another factor is among them', () => {
+    const levelOf = (scale: Vector3): LevelFrame => ({
+      dimensions: scale,
+      bricks: [1, 1, 1],
+      factors: [1, 1, 1],
+      scale,
+      shift: [0, 0, 0],
+    });
+    const of = (volume: Vector3, ...levels: Vector3[]): unknown => halvingsOf({ levels: levels.map(levelOf) }, volume);
+    expect(of([16, 8, 32], [64, 64, 32], [32, 32, 32])).to.deep.equal([
+      [0, 0, 0],
+      [1, 1, 0],
+      [2, 3, 0],
+    ]);
+    // A level of a third, and one whose voxels are a little longer: 252 voxels end a hundredth of a voxel elsewhere.
+    expect(of([16, 16, 16], [96, 96, 96], [32, 32, 32])).to.equal(null);
+    expect(of([252.01, 126, 126], [504, 252, 252])).to.equal(null);
+    expect(of([252.0005, 126, 126], [504, 252, 252])).to.deep.equal([
+      [0, 0, 0],
+      [1, 1, 1],
+    ]);
+    expect(of([64, 64, 64], [32, 32, 32]), 'a volume with shorter voxels').to.equal(null);
+    expect(of([1, 1, 1], [2 ** 16, 2 ** 16, 2 ** 16]), 'more than 4 bits').to.equal(null);
+  });
+
   it('is null where a level lies askew', () => {
     const grid = cartesianGrid([32, 32, 32], identity);
     const fine = cartesianGrid([64, 64, 64], [0.5, 0, 0, -0.25, 0, 0.5, 0, -0.25, 0, 0, 0.5, -0.25, 0, 0, 0, 1]);
