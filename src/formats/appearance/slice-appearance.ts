@@ -1,13 +1,10 @@
 import { isSingleSlice } from '../../volume/volume.ts';
 import { sliceStops } from '../../volume/slice-stops.ts';
-import { spanAround } from '../../optics/transfer/span-around.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
+import { findMostFrequent, pictureWindow, sortValues } from './picture-window.ts';
 import { presetOfUnit } from './suggested-appearance.ts';
 import type { SuggestedAppearance } from './suggested-appearance.ts';
-
-/** So many of the darkest and of the brightest pixels may be black and white. */
-const beyond = 0.005;
 
 /** Numbers of 8 bits that go above this are gray values of a screen. */
 const darkest = 127;
@@ -15,30 +12,69 @@ const darkest = 127;
 /** Black and white of soft tissue, Hounsfield units: centre 40, width 400. */
 const softTissue = [-160, 240] as const;
 
+/** A CT in which fewer pixels than this share are soft tissue, such as a piece of a lung, has a window of its own values. */
+const fewSoft = 0.02;
+
+/** In a map of both signs, such as t, at least this share of the pixels is exactly 0: what lies outside of the brain, or below a threshold. */
+const usualZeros = 0.25;
+
 /**
  * The appearance of one slice: a picture in gray, as people look at radiographs, films and single slices. Labels, statistics and reflectivities keep their colours.
  * @param found - what its values suggest of any volume
  */
 export function sliceAppearance(
-  { grid, channels, samples, slope, intercept, unit }: DecodedCartesianVolume,
+  decoded: DecodedCartesianVolume,
   histogram: Histogram,
   found: SuggestedAppearance | null,
 ): SuggestedAppearance | null {
+  const { grid, channels, samples, slope, intercept, unit } = decoded;
+  if (channels || !isSingleSlice(grid)) return found;
   const isCt = unit === 'HU' || found?.transferFunction === presetOfUnit('HU');
-  const isMask = found !== null && histogram.counts.filter(Boolean).length === 2;
-  const isScale = found?.transferFunction === 'diverging' || (!isCt && presetOfUnit(unit) !== undefined);
-  if (channels || !isSingleSlice(grid) || found?.isDiscrete || isMask || isScale) return found;
-  const isScreen = samples instanceof Uint8Array && slope === 1 && intercept === 0 && histogram.high > darkest;
-  return { window: isCt ? softTissue : isScreen ? [0, 255] : middleOf(histogram), transferFunction: sliceStops };
+  if (!isCt && presetOfUnit(unit) !== undefined) return found;
+  const sorted = sortValues(samples, slope, intercept);
+  if (!isGray(decoded, histogram) && hasMeaning(decoded, found, sorted)) return found;
+  const isScreen = isBytes(decoded) && histogram.high > darkest;
+  return {
+    window: isCt && hasSoftTissue(sorted) ? softTissue : isScreen ? [0, 255] : pictureWindow(sorted),
+    transferFunction: sliceStops,
+  };
 }
 
-/** From the darkest to the brightest value, without the few that lie apart. */
-function middleOf({ low, high, counts }: Histogram): readonly [number, number] {
-  if (!(high > low)) return spanAround(low);
-  const few = beyond * counts.reduce((sum, count) => sum + count, 0);
-  let [below, above] = [0, counts.length];
-  for (let left = few; left >= counts[below]; below++) left -= counts[below];
-  for (let left = few; left >= counts[above - 1]; above--) left -= counts[above - 1];
-  const width = (high - low) / counts.length;
-  return [low + below * width, low + above * width];
+/** Whether the numbers are bytes as they are, or turned, as where white is said to be 0. */
+const isBytes = ({ samples, slope, intercept }: DecodedCartesianVolume): boolean =>
+  samples instanceof Uint8Array && (slope === 1 ? intercept === 0 : slope === -1 && intercept === 255);
+
+/**
+ * Whether its file shows that it is a picture in gray, whatever its values are like: it has windows from black to white, it is DICOM, whose labels
+ * are said to be some, it is one time of a film, or it has nothing but the black and the white of a screen.
+ */
+function isGray(decoded: DecodedCartesianVolume, { low, high, counts }: Histogram): boolean {
+  const { isLabels, windows, format, transferFunction } = decoded;
+  if (isLabels) return false;
+  const isBlackAndWhite = isBytes(decoded) && low === 0 && high === 255 && countValues(counts) === 2;
+  return isBlackAndWhite || !!windows?.length || format.startsWith('DICOM') || transferFunction === sliceStops;
+}
+
+/** Whether its colours say what a value means: labels, a mask, or a map in which 0 means nothing. */
+function hasMeaning(
+  { intent }: DecodedCartesianVolume,
+  found: SuggestedAppearance | null,
+  sorted: Float64Array,
+): boolean {
+  if (found?.transferFunction !== 'diverging') return found !== null && (!!found.isDiscrete || isTwoValued(sorted));
+  const { first, count } = findMostFrequent(sorted);
+  return !!intent || (sorted[first] === 0 && count >= usualZeros * sorted.length);
+}
+
+/** Whether ascending values are two ones. */
+function isTwoValued(sorted: Float64Array): boolean {
+  const first = sorted.lastIndexOf(sorted[0]) + 1;
+  return first < sorted.length && sorted[first] === sorted[sorted.length - 1];
+}
+
+const countValues = (counts: Uint32Array): number => counts.filter(Boolean).length;
+
+function hasSoftTissue(sorted: Float64Array): boolean {
+  const soft = sorted.filter((value) => value > softTissue[0] && value < softTissue[1]);
+  return soft.length >= fewSoft * sorted.length;
 }

@@ -34,8 +34,23 @@ describe('a volume of one slice', () => {
     // Half a percent at both ends, in steps of the histogram.
     expect(window![0]).to.be.within(0, 100);
     expect(window![1]).to.be.within(19900, 20000);
-    const spot = await finish(sampled((i) => (i % 1000 === 0 ? 1e6 : mixed(i))));
-    expect(spot.window![1]).to.be.lessThan(0.03 * 1e6);
+  });
+
+  it('is as bright with a few values that are far from all others, and with a background of no data', async () => {
+    for (const far of [1e6, -1e9, 3.4e38]) {
+      const { window } = await finish(sampled((i) => (i % 1000 === 0 ? far : mixed(i))));
+      expect(window![0]).to.be.within(0, 300);
+      expect(window![1]).to.be.within(19700, 20000);
+    }
+    for (const noData of [-9999999, 1e9]) {
+      const { window } = await finish(sampled((i) => (i % 5 < 2 ? noData : mixed(i))));
+      expect(window![0]).to.be.within(0, 200);
+      expect(window![1]).to.be.within(19800, 20000);
+    }
+    // Beside the background there may be little.
+    const sparse = await finish(sampled((i) => (i % 500 === 0 ? 1000 + mixed(i) / 20 : 0)));
+    expect(sparse.window![0]).to.equal(0);
+    expect(sparse.window![1]).to.be.greaterThan(1900);
   });
 
   it('is so along any axis, and has the same look with no data and with one value', async () => {
@@ -54,6 +69,17 @@ describe('a volume of one slice', () => {
   it('shows grays of a screen as they are', async () => {
     const screen = await finish(Uint8Array.from({ length: count }, (_, i) => 20 + (mixed(i) % 150)));
     expect(screen).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+    // White is 0.
+    const turned = await finish(
+      Uint8Array.from({ length: count }, (_, i) => 20 + (mixed(i) % 150)),
+      {
+        slope: -1,
+        intercept: 255,
+      },
+    );
+    expect(turned).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+    const blackAndWhite = await finish(Uint8Array.from({ length: count }, (_, i) => 255 * Number(i % 200 > 90)));
+    expect(blackAndWhite).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
     const dark = await finish(Uint8Array.from({ length: count }, (_, i) => 20 + (mixed(i) % 50)));
     expect(dark.window![1]).to.be.lessThan(72);
   });
@@ -67,6 +93,15 @@ describe('a volume of one slice', () => {
         window: [-160, 240],
       });
     expect((await finish(sampled(ct), { unit: 'HU', window: [-1350, 150] })).window).to.deep.equal([-1350, 150]);
+    // Of a piece of a lung, nothing is soft tissue.
+    const lung = (
+      await finish(
+        sampled((i) => -900 + mixed(i) / 100),
+        { unit: 'HU' },
+      )
+    ).window!;
+    expect(lung[0]).to.be.within(-900, -898);
+    expect(lung[1]).to.be.within(-702, -700);
     // PET, in any unit.
     expect((await finish(sampled(mixed), { unit: 'Bq/ml', isUptake: true })).transferFunction).to.equal(sliceStops);
   });
@@ -90,6 +125,30 @@ describe('a volume of one slice', () => {
       ).transferFunction,
     ).to.equal('radar-dbz');
     expect((await finish(sampled(mixed), { transferFunction: 'hot' })).transferFunction).to.equal('hot');
+  });
+
+  it('keeps the colours of both signs where 0 means nothing', async () => {
+    const noise = (i: number): number => [1, 2, 3].reduce((sum, n) => sum + (mixed(n * i) % 1001) - 500, 0) / 100;
+    const map = await finish(sampled((i) => (i % 200 < 70 ? 0 : noise(i))));
+    expect(map.transferFunction).to.equal('diverging');
+    // As a picture of an electron microscope is, whose mean is 0.
+    expect((await finish(sampled((i) => noise(i) + 1e-3))).transferFunction).to.equal(sliceStops);
+  });
+
+  it('is gray where its file shows it as a picture, whatever its values are like', async () => {
+    // Fields of some grays, as of a test picture: in a file that says nothing they could be labels.
+    const fields = Uint8Array.from({ length: count }, (_, i) => 3 * ((Math.floor((i % 200) / 10) * 7) % 11));
+    expect((await finish(fields)).isDiscrete).to.equal(true);
+    const windows = [{ name: 'Window 1', from: 0, to: 40, width: 40, level: 20 }];
+    for (const given of [
+      { window: [0, 40], windows },
+      { format: 'DICOM, US' },
+      { transferFunction: sliceStops, window: [0, 40] },
+    ] as const) {
+      const { transferFunction, isDiscrete } = await finish(fields, given);
+      expect({ transferFunction, isDiscrete }).to.deep.equal({ transferFunction: sliceStops, isDiscrete: undefined });
+    }
+    expect((await finish(fields, { format: 'DICOM, SEG', isLabels: true })).isDiscrete).to.equal(true);
   });
 
   it('is not lit, and named looks are those of its kind', async () => {
