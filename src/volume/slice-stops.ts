@@ -3,3 +3,6 @@
  * is behind it is left; with more opacity, a layer in the same place would be pale.
  */
 export const sliceStops = '0% black 30%, 100% white 30%';
+
+/** The same of a slice that has its own colours, in which they stay as they are. */
+export const colorSliceStops = '0% white 30%, 100% white 30%';

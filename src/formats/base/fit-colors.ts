@@ -3,6 +3,7 @@ import { cartesianGrid } from '../../volume/grid.ts';
 import { chooseReduction, reduceVolume } from '../../volume/reduce.ts';
 import type { Block, DeviceLimits } from '../../volume/reduce.ts';
 import type { Samples } from '../../volume/samples.ts';
+import { colorSliceStops } from '../../volume/slice-stops.ts';
 import { isSingleSlice } from '../../volume/volume.ts';
 import { hasColors } from './channels.ts';
 import type { DecodedCartesianVolume, FileColors } from './decoded-volume.ts';
@@ -21,9 +22,12 @@ export function fitColors(
   { colors, ...decoded }: DecodedCartesianVolume,
   limits: DeviceLimits,
 ): DecodedCartesianVolume {
-  if (!colors || !hasColors(colors.rgb, 3)) return decoded;
+  if (!colors) return decoded;
   const { grid, samples } = decoded;
   const { rgb, range } = colors;
+  // Also where it is dark: what has colours is made for a screen. Of numbers of 16 bits not all may be in use.
+  const isOfScreen = isSingleSlice(grid) && range[1] - range[0] === 0xff;
+  if (!hasColors(rgb, 3)) return isOfScreen ? { ...decoded, window: decoded.window ?? range } : decoded;
   const factors = chooseReduction(
     { ...grid, samples: new Uint8Array(0) },
     { ...limits, maxBytes: limits.maxBytes / bytesOnDevice },
@@ -41,7 +45,7 @@ export function fitColors(
     counts: isSmaller ? undefined : decoded.counts,
     channels: keepColors(splitPlanes(rgb).map((plane) => fit(plane).samples as Uint8Array<ArrayBuffer>)),
     window: decoded.window ?? range,
-    transferFunction: decoded.transferFunction ?? (isSingleSlice(grid) ? ofSlice(range) : opacities(range)),
+    transferFunction: decoded.transferFunction ?? (isSingleSlice(grid) ? colorSliceStops : opacities(range)),
     ...(isSmaller && { reduced: { from: grid.dimensions, to: fitted.dimensions } }),
   };
 }
@@ -51,9 +55,6 @@ function splitPlanes(rgb: Uint8Array): Uint8Array<ArrayBuffer>[] {
   for (let i = 0, at = 0; at < rgb.length; i++, at += 3) for (let c = 0; c < 3; c++) planes[c][i] = rgb[at + c];
   return planes;
 }
-
-/** The colours as they are, and nothing shines through, as in a photograph. */
-const ofSlice = ([black, white]: FileColors['range']): string => `${black} white 30%, ${white} white 30%`;
 
 /** White, so that the colours stay, and more opaque the brighter: its extinction is proportional to the brightness. */
 function opacities([black, white]: FileColors['range']): string {

@@ -5,6 +5,7 @@ import { fitColors } from '../../../../src/formats/base/fit-colors.ts';
 import { finishVolume } from '../../../../src/formats/finish-volume.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../../src/volume/matrix.ts';
+import { colorSliceStops, sliceStops } from '../../../../src/volume/slice-stops.ts';
 import { rgbOf } from '../../../helpers/channels.ts';
 import { roomyLimits } from '../../../helpers/decode.ts';
 
@@ -31,8 +32,18 @@ const decoded = (values: Uint8Array<ArrayBuffer>): DecodedCartesianVolume => ({
 describe('volumes in colours', () => {
   it('of one slice are opaque, also where they are black', () => {
     const slice = { ...decoded(rgb), grid: cartesianGrid([8, 8, 1], axialIndexToWorld([8, 8, 1], [1, 1, 1])) };
-    expect(fitColors(slice, roomyLimits).transferFunction).to.equal('0 white 30%, 255 white 30%');
+    expect(fitColors(slice, roomyLimits).transferFunction).to.equal(colorSliceStops);
     expect(fitColors(decoded(rgb), roomyLimits).transferFunction).to.match(/^0 white 0,/);
+  });
+
+  it('of one slice that are all gray are shown as they are, also where they are dark', async () => {
+    const grid = cartesianGrid([8, 8, 1], axialIndexToWorld([8, 8, 1], [1, 1, 1]));
+    const dark = { ...decoded(new Uint8Array(3 * 64).fill(30)), grid };
+    const volume = await finishVolume(dark, roomyLimits);
+    expect(volume).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+    // Of numbers of 16 bits not all may be in use.
+    const ofMore = fitColors({ ...dark, colors: { rgb: dark.colors!.rgb, range: [0, 65535] } }, roomyLimits);
+    expect(ofMore.window).to.equal(undefined);
   });
 
   it('have the mean of colours where a device holds fewer voxels, at the same places', () => {

@@ -1,6 +1,6 @@
 // A second field: how two media are one, where it lies, what is told of bad ones, and what skips empty space knows of it.
 import { expect } from '@esm-bundle/chai';
-import { sliceStops } from '../../../../src/volume/slice-stops.ts';
+import { colorSliceStops, sliceStops } from '../../../../src/volume/slice-stops.ts';
 import type { VolumeViewError } from '../../../../src/core/errors.ts';
 import { emission } from '../../../../src/optics/transfer/emission.ts';
 import { cartesianOverlay, overlayShade } from '../../../../src/optics/attachments/overlay.ts';
@@ -165,12 +165,10 @@ describe("a layer's look", () => {
     expect(blue).to.be.below(warm);
     const glow = await resolveOverlayAppearance(words, { ...volume, window: [0, 10] });
     expect([glow.blend, glow.opacityFactor, emission(glow.transferFunction, 1)[3]]).to.deep.equal(['mix', 1, 0]);
-    const slice = await resolveOverlayAppearance(words, {
-      ...volume,
-      window: [0, 10],
-      transferFunction: sliceStops,
-    });
-    expect(slice).to.deep.equal(glow);
+    for (const transferFunction of [sliceStops, colorSliceStops]) {
+      const slice = await resolveOverlayAppearance(words, { ...volume, window: [0, 10], transferFunction });
+      expect(slice).to.deep.equal(glow);
+    }
   });
 
   it('refuses labels, and words that it does not know', async () => {
