@@ -6,11 +6,11 @@ import type { DecodedCartesianVolume, DecodeSettings } from '../base/decoded-vol
 import type { ReadContext } from '../base/format.ts';
 import { hostIsLittleEndian } from '../base/number-types.ts';
 import type { ScanFiles, SeriesInfo } from '../base/scan-data.ts';
-import { chooseLookedAt, joinValues, suggestByValues } from '../series/suggest-for-all.ts';
+import { areBytes, chooseLookedAt, joinValues, suggestByValues } from '../series/suggest-for-all.ts';
 import { describeFiles } from './describe-files.ts';
 import type { Phases } from './find-phases.ts';
 import type { Frame } from './frame.ts';
-import { gatherSamples } from './gather-samples.ts';
+import { areInColors, gatherSamples } from './gather-samples.ts';
 import { cutFrames } from './cut-frames.ts';
 import { countSlices, joinFrames } from './join-frames.ts';
 import { listFrames } from './list-frames.ts';
@@ -21,6 +21,9 @@ import type { Stack } from './stack-frames.ts';
 
 /** So many slices of some times are decoded to choose one window for all. */
 const sampled = 3;
+
+/** Black and white of colours of 8 bits. */
+const screen = [0, 255] as const;
 
 /**
  * Reports the times, and decodes the one that is wanted.
@@ -41,9 +44,16 @@ export async function joinPhases(
     describeFiles({ frames: phases.flat(), left: [...left, ...first.left, ...lost] }, first.anatomical, grid);
   const files = listFiles(phases, context);
   if (!files) return null;
-  const looks = chooseLookedAt(phases.length).map((i) => chooseSome(stacks[i]));
+  // Colours look as they are, at all times.
+  const isInColors = areInColors(phases.flat());
+  const looks = isInColors ? [] : chooseLookedAt(phases.length).map((i) => chooseSome(stacks[i]));
   const values = await sampleValues(looks, context);
-  const series = values.length > 0 ? await suggestByValues(describe([]), values) : describe([]);
+  const info = describe([]);
+  const series = isInColors
+    ? { ...info, window: screen }
+    : values.length > 0
+      ? await suggestByValues(info, values, phases.flat().every(isOfBytes))
+      : info;
   const formatOf = (i: number): string => `${series.format}, volume ${i + 1} of ${phases.length}`;
   context.onScans?.(
     times,
@@ -65,6 +75,9 @@ export async function joinPhases(
   context.folder?.expect(listUrls(expected), countBytes(expected));
   return joinFrames({ frames: phases[index], left: [] }, settings, context, { ...series, format: formatOf(index) });
 }
+
+const isOfBytes = ({ table, slope, intercept, picture: { type } }: Frame): boolean =>
+  table === null && areBytes({ type, slope, intercept });
 
 /** Whether two stacks have the same grid: times of one scan differ in nothing but their values. */
 function isAlike(a: Stack, b: Stack): boolean {

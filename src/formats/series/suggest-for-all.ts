@@ -18,14 +18,27 @@ const [parts, partBytes] = [4, 2 ** 18];
  */
 export async function suggestForAll(scans: readonly ScanNumbers[], access: ScanAccess): Promise<SeriesInfo> {
   const [{ series }] = scans;
-  return suggestByValues(series, await sampleValues(scans, access));
+  return suggestByValues(series, await sampleValues(scans, access), scans.every(areBytes));
 }
 
-/** The same. @param values - some of the values of some scans */
-export async function suggestByValues(series: SeriesInfo, values: Float32Array<ArrayBuffer>): Promise<SeriesInfo> {
-  const { histogram } = summarize(values, 1, 0);
+/** Whether values are bytes as they are stored, or turned, as where white is said to be 0. */
+export const areBytes = ({ type, slope, intercept }: Pick<ScanNumbers, 'type' | 'slope' | 'intercept'>): boolean =>
+  type === 'uint8' && (slope === 1 ? intercept === 0 : slope === -1 && intercept === 255);
+
+/**
+ * The same.
+ * @param values - some of the values of some scans
+ * @param asBytes - whether all of them are bytes: grays of a screen are known by it
+ */
+export async function suggestByValues(
+  series: SeriesInfo,
+  values: Float32Array<ArrayBuffer>,
+  asBytes = false,
+): Promise<SeriesInfo> {
+  const samples = asBytes ? Uint8Array.from(values) : values;
+  const { histogram } = summarize(samples, 1, 0);
   const { isDiscrete, window, transferFunction } = await suggestAppearance(
-    { ...series, samples: values, slope: 1, intercept: 0 },
+    { ...series, samples, slope: 1, intercept: 0 },
     histogram,
   );
   if (isDiscrete) return series;

@@ -1,5 +1,6 @@
 // Frames that are no slices of a volume: times of a film, views of a camera, projections.
 import { expect } from '@esm-bundle/chai';
+import { colorSliceStops, sliceStops } from '../../../../src/volume/slice-stops.ts';
 import { rgbOf } from '../../../helpers/channels.ts';
 import { dicomBytes, pixelFields } from '../../../helpers/dicom-bytes.ts';
 import type { DicomFields, DicomForm } from '../../../helpers/dicom-bytes.ts';
@@ -222,7 +223,36 @@ describe('frames of a film', () => {
     const { times, read } = await open([fields]);
     expect(times).to.deep.equal(['0 s', '0.04 s']);
     for (const i of [0, 1]) {
-      expect(rgbOf(await read(i))).to.deep.equal([...rgb.subarray(36 * i, 36 * (i + 1))]);
+      const volume = await read(i);
+      expect(rgbOf(volume)).to.deep.equal([...rgb.subarray(36 * i, 36 * (i + 1))]);
+      // As they are: no gray multiplies them.
+      expect(volume).to.deep.include({ transferFunction: colorSliceStops, window: [0, 255] });
+    }
+    // A time without colours is as bright as the others.
+    const mixed = await open([{ ...fields, PixelData: rgb.map((value, i) => (i < 36 ? value : 40 + (i % 12))) }]);
+    expect(await mixed.read(1)).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+  });
+
+  it('of 8 bits are grays of a screen at all times', async () => {
+    const gray = Uint8Array.from({ length: 24 }, (_, i) => 3 * i + (i < 12 ? 0 : 150));
+    const { read } = await open([
+      film(2, {
+        SOPClassUID: classes.ultrasound,
+        FrameIncrementPointer: [0x00181063],
+        FrameTime: '40',
+        BitsAllocated: [8],
+        BitsStored: [8],
+        HighBit: [7],
+        PixelData: gray,
+      }),
+    ]);
+    for (const i of [0, 1]) {
+      const { transferFunction, window, isDiscrete } = await read(i);
+      expect({ transferFunction, window, isDiscrete }).to.deep.equal({
+        transferFunction: sliceStops,
+        window: [0, 255],
+        isDiscrete: undefined,
+      });
     }
   });
 
