@@ -23,7 +23,7 @@ export interface Channel extends ChannelInfo {
 
 /** What makes a volume out of several channels, or out of colours: these are the channels R, G and B. */
 export interface ChannelColors {
-  /** For each voxel red, green, blue, and what they are divided by, 0..255: the brightness of channels, or 255 in volumes of colours. */
+  /** For each voxel red, green, blue, and what they are divided by, 0..255: the brightness of channels, or 255 in volumes of colours and in pictures of channels. */
   readonly colors: Uint8Array<ArrayBuffer>;
   /** The number of `colors` that is full light. */
   readonly full: number;
@@ -43,8 +43,9 @@ interface MixedChannels extends ChannelColors {
  * Adds the light of channels, voxel by voxel. Each one gives its colour times the share of its window, 0..1, at which its value is. The sum of the
  * shares is the brightness, and the sum of the colours its light: red, green and blue are never above it.
  * Both are rounded to 255 steps of the largest brightness. Where a channel has no data it gives nothing.
+ * @param isPicture - the light is a picture, as that of one slice: it is kept up to full light, above which each colour ends, and where there is none it is black
  */
-export function mixChannels(list: readonly Channel[]): MixedChannels {
+export function mixChannels(list: readonly Channel[], isPicture = false): MixedChannels {
   const { length } = list[0].samples;
   const shares = list.map(sharesOf);
   let max = 0;
@@ -55,6 +56,7 @@ export function mixChannels(list: readonly Channel[]): MixedChannels {
   }
   const largest = max || 1;
   const scale = 255 / largest;
+  const full = isPicture ? 255 : scale;
   const samples = new Uint8Array(length);
   const colors = new Uint8Array(4 * length);
   for (let i = 0; i < length; i++) {
@@ -67,13 +69,14 @@ export function mixChannels(list: readonly Channel[]): MixedChannels {
       green += share * color[1];
       blue += share * color[2];
     }
-    samples[i] = colors[4 * i + 3] = Math.round(scale * sum);
-    colors[4 * i] = Math.round(scale * red);
-    colors[4 * i + 1] = Math.round(scale * green);
-    colors[4 * i + 2] = Math.round(scale * blue);
+    samples[i] = Math.round(scale * sum);
+    colors[4 * i] = Math.min(255, Math.round(full * red));
+    colors[4 * i + 1] = Math.min(255, Math.round(full * green));
+    colors[4 * i + 2] = Math.min(255, Math.round(full * blue));
+    colors[4 * i + 3] = isPicture ? 255 : samples[i];
   }
   const infos = list.map(infoOf);
-  return { samples, slope: largest / 255, colors, full: scale, list, infos };
+  return { samples, slope: largest / 255, colors, full, list, infos };
 }
 
 /**

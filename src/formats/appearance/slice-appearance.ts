@@ -27,8 +27,10 @@ export function sliceAppearance(
   histogram: Histogram,
   found: SuggestedAppearance | null,
 ): SuggestedAppearance | null {
-  const { grid, channels, samples, slope, intercept, unit } = decoded;
-  if (channels || !isSingleSlice(grid)) return found;
+  const { grid, channels, samples, slope, intercept, unit, levels } = decoded;
+  // The coarsest level of a pyramid may be one slice where finer ones are volumes.
+  const finest = levels ? { ...grid, dimensions: levels[0].dimensions } : grid;
+  if (channels || !isSingleSlice(grid) || !isSingleSlice(finest)) return found;
   const isCt = unit === 'HU' || found?.transferFunction === presetOfUnit('HU');
   if (!isCt && presetOfUnit(unit) !== undefined) return found;
   const sorted = sortValues(samples, slope, intercept);

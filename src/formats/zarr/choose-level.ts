@@ -2,6 +2,7 @@ import { spacingOf } from '../../volume/grid.ts';
 import { chooseReduction } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { isSingleSlice } from '../../volume/volume.ts';
 import type { NumberType } from '../base/number-types.ts';
 import { countChunks } from './list-chunks.ts';
 import type { ArrayBox } from './list-chunks.ts';
@@ -99,3 +100,5 @@ export function isReadable({ level }: LevelBox, box: ArrayBox): boolean {
     chunks * array.chunk.reduce((product, n) => product * n, array.type.bytesPerSample) <= maxUnpacked
   );
 }
+
+export const isOneSlice = ({ dimensions }: LevelBox): boolean => isSingleSlice({ kind: 'cartesian', dimensions });

@@ -6,6 +6,8 @@ import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
 import { chooseReduction, reduceVolume } from '../../volume/reduce.ts';
 import type { DeviceLimits } from '../../volume/reduce.ts';
 import type { Samples } from '../../volume/samples.ts';
+import { colorSliceStops } from '../../volume/slice-stops.ts';
+import { pictureWindow, sortValues } from '../appearance/picture-window.ts';
 import type { Budget } from '../base/budget.ts';
 import type { DecodedCartesianVolume, ProgressListener } from '../base/decoded-volume.ts';
 import type { OmeChannel } from './ome-channels.ts';
@@ -32,6 +34,8 @@ export interface ChannelReading {
   readonly limits: DeviceLimits;
   /** Channels that each chunk of the file has. */
   readonly inChunk: number;
+  /** Whether the image is one slice: it is a picture then, as microscopes show it, and no volume that glows. */
+  readonly isSlice: boolean;
 }
 
 /** What a device holds of several channels: how much less than of one. @param stored - bytes of a sample */
@@ -47,7 +51,7 @@ export async function readChannels(
   box: { readonly dimensions: Vector3; readonly indexToWorld: Matrix4 },
   list: readonly OmeChannel[],
   read: (indices: readonly number[], onProgress: ProgressListener) => Promise<readonly ChannelSamples[]>,
-  { budget, onProgress, windows, limits, inChunk }: ChannelReading,
+  { budget, onProgress, windows, limits, inChunk, isSlice }: ChannelReading,
 ): Promise<
   Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'channels' | 'window' | 'transferFunction'> &
     typeof box
@@ -70,7 +74,7 @@ export async function readChannels(
         ? reduceVolume({ ...box, samples: all }, factors)
         : { ...box, samples: all };
       fitted = own;
-      const shown = window ?? windows.get(index) ?? windowFromHistogram(summarize(samples, slope, intercept).histogram);
+      const shown = window ?? windows.get(index) ?? chooseWindow({ samples, slope, intercept }, isSlice);
       windows.set(index, shown);
       channels.push({ number: index + 1, name, color, window: shown, samples, slope, intercept });
     }
@@ -79,7 +83,7 @@ export async function readChannels(
   const order = list.map(({ index }) => index + 1);
   channels.sort((one, other) => order.indexOf(one.number) - order.indexOf(other.number));
   budget.take(mixedBytes * channels[0].samples.length, 'the colours of the channels');
-  const { samples, slope, ...mixed } = mixChannels(channels);
+  const { samples, slope, ...mixed } = mixChannels(channels, isSlice);
   return {
     ...fitted,
     samples,
@@ -87,8 +91,18 @@ export async function readChannels(
     intercept: 0,
     channels: mixed,
     window: [0, list.length],
-    transferFunction: opacities(list.length),
+    transferFunction: isSlice ? colorSliceStops : opacities(list.length),
   };
+}
+
+/** The window of a channel whose file has none. @param isSlice - whether its light is a picture */
+export function chooseWindow(
+  { samples, slope, intercept }: ChannelSamples,
+  isSlice: boolean,
+): readonly [number, number] {
+  return isSlice
+    ? pictureWindow(sortValues(samples, slope, intercept))
+    : windowFromHistogram(summarize(samples, slope, intercept).histogram);
 }
 
 /** Channels of the same chunks, together. */

@@ -8,7 +8,7 @@ import type { DecodedCartesianVolume, DecodeSettings, ProgressListener } from '.
 import type { ScansListener } from '../base/load-request.ts';
 import { placeVolume } from '../base/place-volume.ts';
 import { storeSamples, wholeNumbersOf } from '../base/store-samples.ts';
-import { chooseLevel, countVoxels, cutLevel, isReadable, storedBytes, worldOfBox } from './choose-level.ts';
+import { chooseLevel, countVoxels, cutLevel, isOneSlice, isReadable, storedBytes, worldOfBox } from './choose-level.ts';
 import type { ArrayBox, LevelBox } from './choose-level.ts';
 import { chooseTime } from './choose-time.ts';
 import { describeImage } from './describe-image.ts';
@@ -63,6 +63,7 @@ export async function readZarr(
   const { labelDetail } = settings;
   if (labelDetail !== undefined && settings.region && !region) throw nothingThere();
   const boxes = levels.map((level) => cutLevel(level, axes, region)!);
+  const isSlice = isOneSlice(boxes[0]);
   const stored = storedBytes(levels[0].array.type);
   const limits = { ...load.limits, maxBytes: Math.min(load.limits.maxBytes, settings.maxBytes ?? Infinity) };
   const ofChannels = shown.kind === 'colors' ? limitsOfChannels(limits, shown.list.length, stored) : null;
@@ -115,7 +116,7 @@ export async function readZarr(
   const found =
     settings.scan && times > 1 && !image.labels
       ? await suggestForTimes(
-          { shown, times, level: levels[levels.length - 1], axes, describe },
+          { shown, times, level: levels[levels.length - 1], axes, describe, isSlice },
           load.budget,
           readSamples,
         )
@@ -131,6 +132,7 @@ export async function readZarr(
             windows,
             limits: ofChannels!,
             inChunk: axes.channel === null ? 1 : box.level.array.chunk[axes.channel],
+            isSlice,
           })
         : { ...whole, ...(await readSamples(box, [shown.index], onProgress))[0] };
     return placeVolume(
@@ -141,6 +143,8 @@ export async function readZarr(
   if (
     labelDetail === undefined &&
     coarsest !== chosen &&
+    // One slice looks like a picture, which is no stand-in for a volume.
+    isOneSlice(coarsest) === isSlice &&
     minForPart * countVoxels(coarsest) <= countVoxels(chosen) &&
     isReadable(coarsest, arrayBox(coarsest))
   ) {

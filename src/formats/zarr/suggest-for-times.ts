@@ -1,4 +1,3 @@
-import { windowFromHistogram } from '../../optics/transfer/window.ts';
 import { cartesianGrid } from '../../volume/grid.ts';
 import { summarize } from '../../volume/histogram.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
@@ -13,7 +12,7 @@ import type { describeImage } from './describe-image.ts';
 import type { OmeAxes } from './ome-axes.ts';
 import type { ShownChannels } from './ome-channels.ts';
 import type { OmeLevel } from './ome-levels.ts';
-import { groupByChunk } from './read-channels.ts';
+import { chooseWindow, groupByChunk } from './read-channels.ts';
 import type { ChannelSamples } from './read-channels.ts';
 
 /** A level of at most so many voxels and chunks is looked at as a whole; of a larger one so many voxels along each axis, in its middle. */
@@ -34,6 +33,8 @@ interface TimesImage {
   readonly level: OmeLevel;
   readonly axes: OmeAxes;
   readonly describe: ReturnType<typeof describeImage>;
+  /** Whether each time is one slice. */
+  readonly isSlice: boolean;
 }
 
 type ReadSamples = (
@@ -48,7 +49,7 @@ type ReadSamples = (
  * matter, and the brightness of one can be compared with that of another. What the file itself says stays.
  */
 export async function suggestForTimes(
-  { shown, times, level, axes, describe }: TimesImage,
+  { shown, times, level, axes, describe, isSlice }: TimesImage,
   budget: Budget,
   read: ReadSamples,
 ): Promise<ForTimes> {
@@ -66,7 +67,9 @@ export async function suggestForTimes(
   };
   if (shown.kind === 'values') {
     if (describe.window) return { windows: new Map() };
-    const [samples] = await sample([shown.index]);
+    const [values] = await sample([shown.index]);
+    // Grays of a screen are known by their type.
+    const samples = level.array.type.name === 'uint8' ? Uint8Array.from(values) : values;
     const { histogram } = summarize(samples, 1, 0);
     const [nx, ny, nz] = box.dimensions;
     const grid = cartesianGrid([nx, ny * chooseLookedAt(times).length, nz], worldOfBox(box, axes));
@@ -85,7 +88,8 @@ export async function suggestForTimes(
     const all = await sample(group.map(({ index }) => index));
     for (const [i, { index }] of group.entries()) {
       const { histogram } = summarize(all[i], 1, 0);
-      if (histogram.high > histogram.low) windows.set(index, windowFromHistogram(histogram));
+      if (histogram.high > histogram.low)
+        windows.set(index, chooseWindow({ samples: all[i], slope: 1, intercept: 0 }, isSlice));
     }
   }
   return { windows };

@@ -161,6 +161,9 @@ describe('a volume of one slice', () => {
   });
 
   it('of two slices is a volume', async () => {
+    // Of which one level of a pyramid may have one.
+    const levels = [{ dimensions: [400, 200, 2] }] as never;
+    expect((await finish(sampled(mixed), { levels })).transferFunction).to.equal(undefined);
     expect((await finish(sampled(mixed), { size: [100, 100, 2] })).transferFunction).to.equal(undefined);
     expect((await finish(sampled(mixed), { size: [20000, 1, 1] })).transferFunction).to.equal(undefined);
   });

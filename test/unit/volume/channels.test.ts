@@ -33,6 +33,20 @@ describe('channels that are mixed', () => {
     expect(slope).to.be.closeTo(2 / 255, 1e-15);
   });
 
+  it('are a picture of one slice: black where there is no light, and each colour ends at full light', () => {
+    const green = channelOf(Uint8Array.of(0, 50, 0, 50, 100), [0.5, 1, 0], [0, 100]);
+    const { samples, slope, colors, full } = mixChannels([red, cyan, green], true);
+    expect(full).to.equal(255);
+    expect([...colors]).to.deep.equal([
+      ...[0, 0, 0, 255],
+      ...[64, 128, 0, 255],
+      ...[128, 128, 64, 255],
+      ...[255, 255, 128, 255],
+      ...[255, 255, 128, 255],
+    ]);
+    expect(slope * samples[4]).to.be.closeTo(3, 1e-9);
+  });
+
   it('give the same, whichever comes first', () => {
     const [one, other] = [mixChannels([red, cyan]), mixChannels([cyan, red])];
     expect([one.samples, one.colors]).to.deep.equal([other.samples, other.colors]);

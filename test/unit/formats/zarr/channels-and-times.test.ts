@@ -1,6 +1,9 @@
 // Channels that lie in one chunk, and windows that all times share.
 import { expect } from '@esm-bundle/chai';
 import type { DecodedCartesianVolume } from '../../../../src/formats/base/decoded-volume.ts';
+import { finishVolume } from '../../../../src/formats/finish-volume.ts';
+import { colorSliceStops, sliceStops } from '../../../../src/volume/slice-stops.ts';
+import { roomyLimits } from '../../../helpers/decode.ts';
 import { pyramidFiles } from '../../../helpers/zarr-bytes.ts';
 import type { PyramidCase } from '../../../helpers/zarr-bytes.ts';
 import { memoryTree, readStore } from '../../../helpers/zarr-tree.ts';
@@ -84,5 +87,67 @@ describe('times without a window', () => {
   it('of which one is opened alone has the window of its values', async () => {
     const { window } = await readStore(pyramidFiles(brighter));
     expect(window).to.equal(undefined);
+  });
+});
+
+describe('channels of one slice', () => {
+  const spots: PyramidCase = {
+    axes: 'cyx',
+    shape: [2, 60, 50],
+    levels: 1,
+    // A dim background, and spots that are a hundredth of the picture, in each channel elsewhere.
+    valueAt: ({ x, y, c }) => 100 + ((x * 7 + y * 3) % 11) + (x % 10 === 2 * c && y % 10 === 3 ? 3000 : 0),
+  };
+
+  it('are a picture: opaque, its colours added on black', async () => {
+    const omero = { channels: [{ color: 'FF0000' }, { color: '00FF00' }] };
+    const volume = await finishVolume(await readStore(pyramidFiles({ ...spots, attributes: { omero } })), roomyLimits);
+    expect(volume).to.deep.include({ transferFunction: colorSliceStops, window: [0, 2] });
+    const { colors, full, list } = volume.channels!;
+    expect(full).to.equal(255);
+    for (const { window } of list) {
+      expect(window[0]).to.be.within(100, 102);
+      expect(window[1]).to.be.within(3100, 3110);
+    }
+    const at = (x: number, y: number): number[] => [...colors.subarray(4 * (50 * y + x), 4 * (50 * y + x) + 4)];
+    expect(at(0, 3)[0]).to.be.greaterThan(250);
+    expect(at(2, 3)[1]).to.be.greaterThan(250);
+    expect(Math.max(...at(1, 1).slice(0, 3))).to.be.lessThan(3);
+    expect(at(1, 1)[3]).to.equal(255);
+  });
+
+  it('have one window at all times', async () => {
+    const valueAt: PyramidCase['valueAt'] = (place) => spots.valueAt!(place) * 2 ** place.t;
+    const files = pyramidFiles({ ...spots, axes: 'tcyx', shape: [3, 2, 60, 50], chunk: [1, 2, 60, 50], valueAt });
+    const [first, last] = await Promise.all(
+      [0, 2].map(async (index) =>
+        (await readStore(files, { scan: { index } })).channels!.list.map(({ window }) => window),
+      ),
+    );
+    expect(first).to.deep.equal(last);
+    expect(first[0][1]).to.be.within(6000, 6300);
+  });
+
+  it('of 8 bits are grays of a screen, alone and at all times', async () => {
+    const gray: PyramidCase = { ...spots, axes: 'tyx', shape: [3, 60, 50], type: 'uint8' };
+    const valueAt: PyramidCase['valueAt'] = ({ x, y, t }) => ((x * 7 + y * 13) % 71) * (t + 1);
+    const files = pyramidFiles({ ...gray, valueAt });
+    for (const index of [0, 2]) {
+      const volume = await finishVolume(await readStore(files, { scan: { index } }), roomyLimits);
+      expect(volume).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+    }
+  });
+});
+
+describe('a coarse level of one slice', () => {
+  it('is no picture that stands for a volume', async () => {
+    const thin: PyramidCase = { axes: 'zyx', shape: [2, 16, 16], levels: 2 };
+    const tree = memoryTree(pyramidFiles(thin));
+    const volume = await readStore(tree);
+    expect(volume.grid.dimensions).to.deep.equal([16, 16, 2]);
+    expect(tree.parts).to.have.length(0);
+    const flat = memoryTree(pyramidFiles({ ...thin, shape: [1, 16, 16] }));
+    expect((await readStore(flat)).grid.dimensions).to.deep.equal([16, 16, 1]);
+    expect(flat.parts).to.have.length(1);
   });
 });
