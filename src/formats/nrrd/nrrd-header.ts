@@ -13,11 +13,16 @@ export interface NrrdHeader {
   readonly fields: NrrdFields;
   /** What it says about segments, by key: 'Segment0_Name'. */
   readonly segments: ReadonlyMap<string, string>;
+  /** Whether it says that voxels hold how much of them is of a segment. */
+  readonly isFractional: boolean;
   /** Names of the files that hold the data; null if the data follow the header in its own file. */
   readonly dataFiles: readonly string[] | null;
   /** Where the header ends, bytes. */
   readonly end: number;
 }
+
+/** How 3D Slicer says it; older versions write Master. */
+const fractional = /^Segmentation_(Source|Master)Representation:=\s*Fractional labelmap\s*$/;
 
 /**
  * Reads a header: lines up to an empty one, or to the file's end if the data are in other files.
@@ -28,12 +33,14 @@ export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
   const fields = new Map<string, string>();
   const segments = new Map<string, string>();
   const listed: string[] = [];
+  let isFractional = false;
   let isList = false;
   let end = -1;
   for (const { text, next } of readHeaderLines(what, bytes)) {
     if (fields.size === 0 && text.startsWith('NRRD')) checkVersion(text);
     else if (text === '') end = next;
     else if (isList) listed.push(text.trim());
+    else if (fractional.test(text)) isFractional = true;
     else readField(text, fields, segments);
     isList ||= /^LIST(\s+\d+)?$/.test(fields.get('datafile') ?? '');
     if (end >= 0) break;
@@ -42,7 +49,7 @@ export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
   if (dataFile === undefined && end < 0)
     throw corruptFile(what, 'ends without an empty line after it; the file is cut short');
   const dataFiles = dataFile === undefined ? null : isList ? listed : (expandPattern(what, dataFile) ?? [dataFile]);
-  return { fields, segments, dataFiles, end: end < 0 ? bytes.length : end };
+  return { fields, segments, isFractional, dataFiles, end: end < 0 ? bytes.length : end };
 }
 
 function checkVersion(line: string): void {

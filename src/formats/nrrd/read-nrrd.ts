@@ -19,7 +19,7 @@ import { openNrrdScans } from './nrrd-scans.ts';
 import { chooseAxes, listVolumes, quoted, readAxes } from './nrrd-axes.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 import type * as segmentPart from './segments.ts';
-import type { MergedSegments } from './segments.ts';
+import type { Layer, MergedSegments } from './segments.ts';
 import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what } from './nrrd-header.ts';
 import type { NrrdFields, NrrdHeader } from './nrrd-header.ts';
 
@@ -57,13 +57,14 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
     isLabels: true,
     named: segments.nameSegments(segments.readSegments(header.segments, volumes)),
   };
-  const merged = segments && volumes > 1 ? await mergeLayers(input, context, wanted, segments) : null;
+  const merged =
+    segments && (volumes > 1 || header.isFractional) ? await mergeLayers(input, context, wanted, segments) : null;
   const volume = {
     grid,
     ...(merged ?? (await store(await readFirst(input, context, wanted), wanted, context))),
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
-    format: `NRRD${merged ? `, ${volumes} layers` : volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    format: `NRRD${volumes === 1 ? '' : merged ? `, ${volumes} layers` : `, volume 1 of ${volumes}`}`,
     ...labels,
     ...merged,
     left: undefined,
@@ -119,12 +120,15 @@ async function mergeLayers(
   const bytes = await readSpan(input, context, wanted, voxels * volumes);
   // A copy of each layer, and the merged labels.
   context.budget.take(countSampleBytes(what, dimensions, type) + 3 * voxels, what);
-  const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
-  for (const [layer, start] of listVolumes(all, layout).entries()) {
+  const readLayer = async (start: number): Promise<Layer> => {
     const picked = pickVolume(bytes.subarray(start * bytesPerSample), bytesPerSample, dimensions, strides);
     const { slope, intercept, samples, indexed } = await store(picked.slice(), wanted, context);
-    merger.add(layer, indexed ? { slope: 1, intercept: 0, ...indexed } : { samples, slope, intercept });
-  }
+    return indexed ? { slope: 1, intercept: 0, ...indexed } : { samples, slope, intercept };
+  };
+  const starts = listVolumes(all, layout);
+  const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
+  if (header.isFractional) for (const start of starts) merger.countFractions(await readLayer(start));
+  for (const [layer, start] of starts.entries()) merger.add(layer, await readLayer(start));
   return { ...merger.finish(), slope: 1, intercept: 0 };
 }
 

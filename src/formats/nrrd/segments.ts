@@ -41,7 +41,7 @@ export function readSegments(keys: ReadonlyMap<string, string>, layers: number):
 }
 
 /** A layer's stored voxels. */
-interface Layer {
+export interface Layer {
   readonly samples: Samples;
   readonly slope: number;
   readonly intercept: number;
@@ -56,14 +56,21 @@ export interface MergedSegments {
   readonly left: readonly string[];
 }
 
+/** The values of a voxel that is outside of a segment, and of one that is inside. */
+type Fractions = readonly [none: number, all: number];
+
 /** Puts layers on top of each other, the first at the bottom: where segments overlap, the later layer is shown. */
 export class SegmentMerger {
   /** Id by layer and value. The id is the value, unless an earlier segment uses it. */
   readonly #ids = new Map<string, number>();
   readonly #named = new Map<number, NamedLabel>();
   readonly #painter: LabelPainter<Uint16Array<ArrayBuffer>>;
+  #fractions: Fractions | null = null;
 
-  constructor(segments: readonly Segment[], voxels: number) {
+  constructor(
+    readonly segments: readonly Segment[],
+    voxels: number,
+  ) {
     this.#painter = new LabelPainter(new Uint16Array(voxels));
     for (const { layer, value, name, color } of segments) this.#idOf(layer, value, { name, color });
   }
@@ -84,7 +91,25 @@ export class SegmentMerger {
     return id;
   }
 
+  /**
+   * Looks for the values of no part of a voxel and of all of it, in all layers before the first of them is added: 3D Slicer has signed bytes from -108 to 108, others 0 to 1, 100
+   * or 255, and no file says it.
+   */
+  countFractions(voxels: Layer): void {
+    let [none, all] = this.#fractions ?? [0, 0];
+    for (const stored of voxels.samples) {
+      const value = valueOf(voxels, stored);
+      if (value < none) none = value;
+      if (value > all) all = value;
+    }
+    this.#fractions = [none, all];
+  }
+
   add(layer: number, voxels: Layer): void {
+    if (this.#fractions) {
+      this.#addFractions(layer, voxels, this.#fractions);
+      return;
+    }
     const ids = new Map<number, number>();
     const { length } = this.#painter.samples;
     for (let i = 0; i < length; i++) {
@@ -99,13 +124,31 @@ export class SegmentMerger {
     }
   }
 
+  /** A layer of fractions has one segment. */
+  #addFractions(layer: number, voxels: Layer, [none, all]: Fractions): void {
+    const segment = this.segments.find((one) => one.layer === layer);
+    const id = this.#idOf(layer, segment?.value ?? 1);
+    const half = (none + all) / 2;
+    for (let i = 0; i < this.#painter.samples.length; i++) {
+      const share = valueOf(voxels, voxels.samples[i]);
+      if (share > none && share >= half) this.#painter.paint(i, id);
+    }
+  }
+
   finish(): MergedSegments {
     const { samples } = this.#painter;
     const isSmall = Math.max(0, ...this.#named.keys()) < 256;
     return {
       samples: isSmall ? Uint8Array.from(samples) : samples,
       named: [...this.#named.values()],
-      left: this.#painter.describeHidden((id) => `"${this.#named.get(id)!.name || id}"`, 'the segment '),
+      left: [
+        ...(this.#fractions
+          ? [
+              `fractions of segments: a voxel has the label where at least half of it is of the segment (values from ${this.#fractions.join(' to ')})`,
+            ]
+          : []),
+        ...this.#painter.describeHidden((id) => `"${this.#named.get(id)!.name || id}"`, 'the segment '),
+      ],
     };
   }
 }
