@@ -1,5 +1,5 @@
 import { isSingleSlice } from '../../volume/volume.ts';
-import { sliceStops } from '../../volume/slice-stops.ts';
+import { ctSliceStops, isGraySlice, sliceStops } from '../../volume/slice-stops.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { DecodedCartesianVolume } from '../base/decoded-volume.ts';
 import { findMostFrequent, pictureWindow, sortValues } from './picture-window.ts';
@@ -38,7 +38,7 @@ export function sliceAppearance(
   const isScreen = isBytes(decoded) && histogram.high > darkest;
   return {
     window: isCt && hasSoftTissue(sorted) ? softTissue : isScreen ? [0, 255] : pictureWindow(sorted),
-    transferFunction: sliceStops,
+    transferFunction: isCt ? ctSliceStops : sliceStops,
   };
 }
 
@@ -53,8 +53,10 @@ const isBytes = ({ samples, slope, intercept }: DecodedCartesianVolume): boolean
 function isGray(decoded: DecodedCartesianVolume, { low, high, counts }: Histogram): boolean {
   const { isLabels, windows, format, transferFunction } = decoded;
   if (isLabels) return false;
-  const isBlackAndWhite = isBytes(decoded) && low === 0 && high === 255 && countValues(counts) === 2;
-  return isBlackAndWhite || !!windows?.length || format.startsWith('DICOM') || transferFunction === sliceStops;
+  // A TIFF of one bit has 0 and 1.
+  const white = format.includes('TIFF') ? high : 255;
+  const isBlackAndWhite = isBytes(decoded) && low === 0 && high === white && countValues(counts) === 2;
+  return isBlackAndWhite || !!windows?.length || format.startsWith('DICOM') || isGraySlice(transferFunction);
 }
 
 /** Whether its colours say what a value means: labels, a mask, or a map in which 0 means nothing. */

@@ -1,6 +1,6 @@
 // Ready-made appearances with one-word names: loaded with the first page that names one.
 import { invalidAttribute } from '../../core/errors.ts';
-import { sliceStops } from '../../volume/slice-stops.ts';
+import { ctSliceStops, isGraySlice } from '../../volume/slice-stops.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
@@ -85,7 +85,8 @@ export function applyNamedLook(settings: ResolvedSettings, text: string, volume:
 }
 
 function appearanceOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
-  if (word === 'flat') return {};
+  // Light would change the grays of a picture.
+  if (word === 'flat' || (word === 'textbook' && isPicture(volume))) return {};
   if (word === 'xray') return { transferFunction: 'gray', window: windowOfMeans(volume), projection: 'average' };
   if (kind === 'ct' || kind === 'intensity') return looks[kind][word]!(volume);
   if (word === 'mip') return { projection: 'max' };
@@ -100,9 +101,13 @@ function explain(word: string): string {
   return `; "${word}" is for ${!scans.includes(word) ? 'CT, in Hounsfield units' : word === 'mip' ? 'data that are no labels' : 'CT and MRI'}`;
 }
 
+const isPicture = ({ transferFunction }: ScanModel): boolean =>
+  typeof transferFunction === 'string' && isGraySlice(transferFunction);
+
 function kindOf(volume: ScanModel): Kind {
-  const isPicture = volume.transferFunction === sliceStops;
-  const scan = scanKindOf(isPicture ? { ...volume, transferFunction: undefined } : volume);
+  const { transferFunction } = volume;
+  const ofValues = transferFunction === ctSliceStops ? 'ct-bone' : undefined;
+  const scan = scanKindOf(isPicture(volume) ? { ...volume, transferFunction: ofValues } : volume);
   if (scan) return scan;
   if (volume.isDiscrete) return 'things';
   const isMask = volume.transferFunction && !isPolar(volume);

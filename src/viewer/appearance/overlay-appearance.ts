@@ -3,7 +3,7 @@ import { overlayBlends } from '../../optics/attachments/overlay.ts';
 import type { OverlayBlend } from '../../optics/attachments/overlay.ts';
 import { resolveTransferFunction } from '../../optics/transfer/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import { colorSliceStops, sliceStops } from '../../volume/slice-stops.ts';
+import { colorSliceStops, isGraySlice } from '../../volume/slice-stops.ts';
 import type { Volume } from '../../volume/volume.ts';
 import { findWindow } from './find-window.ts';
 import { parseFactor, parseWindow, parseWord } from '../model/parse-attributes.ts';
@@ -45,7 +45,7 @@ export async function resolveOverlayAppearance(
   }
   const own = volume.transferFunction;
   // A picture of one slice would hide what is below it.
-  const isPicture = own === sliceStops || own === colorSliceStops;
+  const isPicture = isGraySlice(own) || own === colorSliceStops;
   const suggested = own === 'diverging' ? bothSigns : own === undefined || isPicture ? glow : own;
   const window =
     (valueWindow === null ? null : findWindow(parseWindow(valueWindow), volume)) ?? volume.window ?? volume.range;

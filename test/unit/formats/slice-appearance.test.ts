@@ -1,7 +1,7 @@
 // What a volume of one slice looks like where its file does not say it.
 import { expect } from '@esm-bundle/chai';
 import { finishVolume } from '../../../src/formats/finish-volume.ts';
-import { sliceStops } from '../../../src/volume/slice-stops.ts';
+import { ctSliceStops, sliceStops } from '../../../src/volume/slice-stops.ts';
 import { applyNamedLook } from '../../../src/viewer/appearance/named-looks.ts';
 import { withDefaultLook } from '../../../src/viewer/appearance/default-look.ts';
 import { plainAppearance } from '../../../src/viewer/model/plain-appearance.ts';
@@ -80,6 +80,8 @@ describe('a volume of one slice', () => {
     expect(turned).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
     const blackAndWhite = await finish(Uint8Array.from({ length: count }, (_, i) => 255 * Number(i % 200 > 90)));
     expect(blackAndWhite).to.deep.include({ transferFunction: sliceStops, window: [0, 255] });
+    const bits = Uint8Array.from({ length: count }, (_, i) => Number(i % 200 > 90));
+    expect(await finish(bits, { format: 'TIFF' })).to.deep.include({ transferFunction: sliceStops, window: [0, 1] });
     const dark = await finish(Uint8Array.from({ length: count }, (_, i) => 20 + (mixed(i) % 50)));
     expect(dark.window![1]).to.be.lessThan(72);
   });
@@ -87,11 +89,13 @@ describe('a volume of one slice', () => {
   it('has the window of its file, and as a CT that of soft tissue', async () => {
     const ofFile = await finish(sampled(mixed), { window: [100, 300] });
     expect(ofFile).to.deep.include({ transferFunction: sliceStops, window: [100, 300] });
-    for (const unit of ['HU', ''])
-      expect(await finish(sampled(ct), { unit })).to.deep.include({
-        transferFunction: sliceStops,
-        window: [-160, 240],
-      });
+    for (const unit of ['HU', '']) {
+      const volume = await finish(sampled(ct), { unit });
+      expect(volume).to.deep.include({ transferFunction: ctSliceStops, window: [-160, 240] });
+      // What is known of a CT stays so, also where its file says no unit.
+      const { transferFunction } = applyNamedLook({ ...plainAppearance, window: null }, 'bone', volume);
+      expect(transferFunction).to.equal('ct-bone');
+    }
     expect((await finish(sampled(ct), { unit: 'HU', window: [-1350, 150] })).window).to.deep.equal([-1350, 150]);
     // Of a piece of a lung, nothing is soft tissue.
     const lung = (
@@ -156,8 +160,8 @@ describe('a volume of one slice', () => {
     expect(withDefaultLook(plainAppearance, volume)).to.deep.equal(plainAppearance);
     const plain = { ...plainAppearance, window: null };
     expect(applyNamedLook(plain, 'skin', volume).shading).to.equal('lit');
-    const ofCt = await finish(sampled(ct), { unit: 'HU' });
-    expect(applyNamedLook(plain, 'bone', ofCt).transferFunction).to.equal('ct-bone');
+    for (const one of [volume, await finish(sampled(ct), { unit: 'HU' })])
+      expect(applyNamedLook(plain, 'textbook', one)).to.deep.equal(plain);
   });
 
   it('of two slices is a volume', async () => {
