@@ -65,15 +65,15 @@ function hasMeaning(
   found: SuggestedAppearance | null,
   sorted: Float64Array,
 ): boolean {
-  if (found?.transferFunction !== 'diverging') return found !== null && (!!found.isDiscrete || isTwoValued(sorted));
+  if (found?.transferFunction !== 'diverging') return found !== null && (!!found.isDiscrete || isMask(sorted));
   const { first, count } = findMostFrequent(sorted);
   return !!intent || (sorted[first] === 0 && count >= usualZeros * sorted.length);
 }
 
-/** Whether ascending values are two ones. */
-function isTwoValued(sorted: Float64Array): boolean {
-  const first = sorted.lastIndexOf(sorted[0]) + 1;
-  return first < sorted.length && sorted[first] === sorted[sorted.length - 1];
+/** Whether ascending values are 0 and another one. */
+function isMask(sorted: Float64Array): boolean {
+  const first = sorted.lastIndexOf(0) + 1;
+  return sorted[0] === 0 && first < sorted.length && sorted[first] === sorted[sorted.length - 1];
 }
 
 const countValues = (counts: Uint32Array): number => counts.filter(Boolean).length;

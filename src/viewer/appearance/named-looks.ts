@@ -1,6 +1,6 @@
 // Ready-made appearances with one-word names: loaded with the first page that names one.
 import { invalidAttribute } from '../../core/errors.ts';
-import { ctSliceStops, isGraySlice } from '../../volume/slice-stops.ts';
+import { colorSliceStops, ctSliceStops, isGraySlice, sliceStops } from '../../volume/slice-stops.ts';
 import { otsuBin } from '../../optics/transfer/window.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { ScanModel } from '../model/scan-model.ts';
@@ -89,6 +89,9 @@ function appearanceOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
   if (word === 'flat' || (word === 'textbook' && isPicture(volume))) return {};
   if (word === 'xray') return { transferFunction: 'gray', window: windowOfMeans(volume), projection: 'average' };
   if (kind === 'ct' || kind === 'intensity') return looks[kind][word]!(volume);
+  // The white of a slice in colours is the same for all brightnesses, and a projection has no colours.
+  if (word === 'mip' && volume.transferFunction === colorSliceStops)
+    return { transferFunction: sliceStops, projection: 'max' };
   if (word === 'mip') return { projection: 'max' };
   return kind === 'mask' ? { opacityFactor: 3, shading: 'lit' } : {};
 }

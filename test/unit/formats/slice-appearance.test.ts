@@ -1,7 +1,7 @@
 // What a volume of one slice looks like where its file does not say it.
 import { expect } from '@esm-bundle/chai';
 import { finishVolume } from '../../../src/formats/finish-volume.ts';
-import { ctSliceStops, sliceStops } from '../../../src/volume/slice-stops.ts';
+import { colorSliceStops, ctSliceStops, sliceStops } from '../../../src/volume/slice-stops.ts';
 import { applyNamedLook } from '../../../src/viewer/appearance/named-looks.ts';
 import { withDefaultLook } from '../../../src/viewer/appearance/default-look.ts';
 import { plainAppearance } from '../../../src/viewer/model/plain-appearance.ts';
@@ -115,6 +115,8 @@ describe('a volume of one slice', () => {
     expect((await finish(things)).isDiscrete).to.equal(true);
     const mask = await finish(Uint8Array.from({ length: count }, (_, i) => Number(i % 200 > 90)));
     expect(mask.transferFunction).not.to.equal(sliceStops);
+    const checks = await finish(Uint8Array.from({ length: count }, (_, i) => (i % 200 > 90 ? 220 : 20)));
+    expect(checks.transferFunction).to.equal(sliceStops);
     const map = await finish(
       sampled((i) => 4 * Math.sin(mixed(i)) ** 9),
       { intent: 3 },
@@ -160,6 +162,11 @@ describe('a volume of one slice', () => {
     expect(withDefaultLook(plainAppearance, volume)).to.deep.equal(plainAppearance);
     const plain = { ...plainAppearance, window: null };
     expect(applyNamedLook(plain, 'skin', volume).shading).to.equal('lit');
+    const inColors = { ...volume, transferFunction: colorSliceStops };
+    expect(applyNamedLook(plain, 'mip', inColors)).to.deep.include({
+      transferFunction: sliceStops,
+      projection: 'max',
+    });
     for (const one of [volume, await finish(sampled(ct), { unit: 'HU' })])
       expect(applyNamedLook(plain, 'textbook', one)).to.deep.equal(plain);
   });
