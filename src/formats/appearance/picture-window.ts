@@ -41,7 +41,8 @@ export function findMostFrequent(sorted: Float64Array): { readonly first: number
  */
 export function pictureWindow(sorted: Float64Array): readonly [number, number] {
   const [low, high] = [sorted[0] ?? 0, sorted[sorted.length - 1] ?? 0];
-  if (!(high > low)) return spanAround(low);
+  // Nothing but 0 is black; any other value alone is between black and white.
+  if (!(high > low)) return low === 0 ? [0, 1] : spanAround(low);
   const { first, count } = findMostFrequent(sorted);
   const others = sorted.length - count;
   const few = Math.floor(beyond * others);

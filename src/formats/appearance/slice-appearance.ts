@@ -35,7 +35,7 @@ export function sliceAppearance(
   if (!isCt && presetOfUnit(unit) !== undefined) return found;
   const sorted = sortValues(samples, slope, intercept);
   if (!isGray(decoded, histogram) && hasMeaning(decoded, found, sorted)) return found;
-  const isScreen = isBytes(decoded) && histogram.high > darkest;
+  const isScreen = isBytes(decoded) && (histogram.high > darkest || histogram.low === histogram.high);
   return {
     window: isCt && hasSoftTissue(sorted) ? softTissue : isScreen ? [0, 255] : pictureWindow(sorted),
     transferFunction: isCt ? ctSliceStops : sliceStops,

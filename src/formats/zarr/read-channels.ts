@@ -1,3 +1,4 @@
+import { spanAround } from '../../optics/transfer/span-around.ts';
 import { windowFromHistogram } from '../../optics/transfer/window.ts';
 import { mixChannels } from '../../volume/channels.ts';
 import type { Channel } from '../../volume/channels.ts';
@@ -100,9 +101,11 @@ export function chooseWindow(
   { samples, slope, intercept }: ChannelSamples,
   isSlice: boolean,
 ): readonly [number, number] {
-  return isSlice
-    ? pictureWindow(sortValues(samples, slope, intercept))
-    : windowFromHistogram(summarize(samples, slope, intercept).histogram);
+  const { histogram } = summarize(samples, slope, intercept);
+  const { low, high } = histogram;
+  // A channel of one value shows nothing: it has no light.
+  if (!(high > low)) return [low, spanAround(low)[1]];
+  return isSlice ? pictureWindow(sortValues(samples, slope, intercept)) : windowFromHistogram(histogram);
 }
 
 /** Channels of the same chunks, together. */

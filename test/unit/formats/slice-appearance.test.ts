@@ -63,7 +63,11 @@ describe('a volume of one slice', () => {
     expect(holes).to.deep.include({ transferFunction: sliceStops, hasNoData: true });
     const flat = await finish(sampled(() => 5));
     expect(flat.transferFunction).to.equal(sliceStops);
-    expect(flat.window![1]).to.be.greaterThan(flat.window![0]);
+    expect(flat.window).to.deep.equal([4.5, 5.5]);
+    // Nothing is black.
+    expect((await finish(sampled(() => 0))).window).to.deep.equal([0, 1]);
+    for (const value of [0, 100, 255])
+      expect((await finish(new Uint8Array(count).fill(value))).window).to.deep.equal([0, 255]);
   });
 
   it('shows grays of a screen as they are', async () => {

@@ -128,6 +128,21 @@ describe('channels of one slice', () => {
     expect(first[0][1]).to.be.within(6000, 6300);
   });
 
+  it('that are empty have no light, also in a volume', async () => {
+    for (const [axes, shape] of [
+      ['cyx', [2, 60, 50]],
+      ['czyx', [2, 4, 60, 50]],
+    ] as const) {
+      const valueAt: PyramidCase['valueAt'] = ({ x, c }) => (c === 0 ? x : 0);
+      const { channels } = await readStore(pyramidFiles({ axes, shape, valueAt }));
+      const [{ color }, empty] = channels!.list;
+      expect(empty.window[0]).to.equal(0);
+      const brightest = 4 * 49;
+      const light = Array.from(channels!.colors.subarray(brightest, brightest + 3), (one) => one / channels!.full);
+      for (const [c, one] of light.entries()) expect(one).to.be.closeTo(color[c], 0.01);
+    }
+  });
+
   it('of 8 bits are grays of a screen, alone and at all times', async () => {
     const gray: PyramidCase = { ...spots, axes: 'tyx', shape: [3, 60, 50], type: 'uint8' };
     const valueAt: PyramidCase['valueAt'] = ({ x, y, t }) => ((x * 7 + y * 13) % 71) * (t + 1);
