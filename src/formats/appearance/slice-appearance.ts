@@ -15,6 +15,9 @@ const softTissue = [-160, 240] as const;
 /** A CT in which fewer pixels than this share are soft tissue, such as a piece of a lung, has a window of its own values. */
 const fewSoft = 0.02;
 
+/** White of a PET in SUV, at least: with less, a slice of a healthy body would be as bright as one with hot spots. */
+const usualUptake = 5;
+
 /** In a map of both signs, such as t, at least this share of the pixels is exactly 0: what lies outside of the brain, or below a threshold. */
 const usualZeros = 0.25;
 
@@ -34,10 +37,11 @@ export function sliceAppearance(
   const isCt = unit === 'HU' || found?.transferFunction === presetOfUnit('HU');
   if (!isCt && presetOfUnit(unit) !== undefined) return found;
   const sorted = sortValues(samples, slope, intercept);
-  if (!isGray(decoded, histogram) && hasMeaning(decoded, found, sorted)) return found;
+  if (!isGray(decoded, histogram) && hasMeaning(decoded, found, { histogram, sorted })) return found;
   const isScreen = isBytes(decoded) && (histogram.high > darkest || histogram.low === histogram.high);
+  const window = isCt && hasSoftTissue(sorted) ? softTissue : isScreen ? ([0, 255] as const) : pictureWindow(sorted);
   return {
-    window: isCt && hasSoftTissue(sorted) ? softTissue : isScreen ? [0, 255] : pictureWindow(sorted),
+    window: unit === 'SUV' ? [0, Math.max(usualUptake, window[1])] : window,
     transferFunction: isCt ? ctSliceStops : sliceStops,
   };
 }
@@ -61,20 +65,18 @@ function isGray(decoded: DecodedCartesianVolume, { low, high, counts }: Histogra
 
 /** Whether its colours say what a value means: labels, a mask, or a map in which 0 means nothing. */
 function hasMeaning(
-  { intent }: DecodedCartesianVolume,
+  { intent, isLabels }: DecodedCartesianVolume,
   found: SuggestedAppearance | null,
-  sorted: Float64Array,
+  { histogram, sorted }: { readonly histogram: Histogram; readonly sorted: Float64Array },
 ): boolean {
-  if (found?.transferFunction !== 'diverging') return found !== null && (!!found.isDiscrete || isMask(sorted));
+  if (found?.transferFunction !== 'diverging')
+    return found !== null && (!!isLabels || !!found.isDiscrete || isMask(histogram));
   const { first, count } = findMostFrequent(sorted);
   return !!intent || (sorted[first] === 0 && count >= usualZeros * sorted.length);
 }
 
-/** Whether ascending values are 0 and another one. */
-function isMask(sorted: Float64Array): boolean {
-  const first = sorted.lastIndexOf(0) + 1;
-  return sorted[0] === 0 && first < sorted.length && sorted[first] === sorted[sorted.length - 1];
-}
+/** Whether values are 0 and another one, which may be rare. */
+const isMask = ({ low, counts }: Histogram): boolean => low === 0 && countValues(counts) === 2;
 
 const countValues = (counts: Uint32Array): number => counts.filter(Boolean).length;
 

@@ -110,6 +110,12 @@ describe('a volume of one slice', () => {
     ).window!;
     expect(lung[0]).to.be.within(-900, -898);
     expect(lung[1]).to.be.within(-702, -700);
+    // A body of 1 SUV with a small hot spot.
+    const uptake = await finish(
+      sampled((i) => (i % 500 === 0 ? 14 : mixed(i) / count)),
+      { unit: 'SUV', isUptake: true },
+    );
+    expect(uptake).to.deep.include({ transferFunction: sliceStops, window: [0, 5] });
     // PET, in any unit.
     expect((await finish(sampled(mixed), { unit: 'Bq/ml', isUptake: true })).transferFunction).to.equal(sliceStops);
   });
@@ -159,6 +165,13 @@ describe('a volume of one slice', () => {
       expect({ transferFunction, isDiscrete }).to.deep.equal({ transferFunction: sliceStops, isDiscrete: undefined });
     }
     expect((await finish(fields, { format: 'DICOM, SEG', isLabels: true })).isDiscrete).to.equal(true);
+    // Of few voxels, and of a mask whose file says that it is one.
+    const rare = await finish(Uint8Array.from({ length: count }, (_, i) => Number(i === 77)));
+    const said = await finish(
+      fields.map((value) => (value > 9 ? 7 : 5)),
+      { isLabels: true },
+    );
+    for (const mask of [rare, said]) expect(mask.transferFunction).to.match(/#6b4430/);
   });
 
   it('is not lit, and named looks are those of its kind', async () => {
