@@ -92,9 +92,9 @@ test.describe('the windows of a DICOM file', () => {
       return all;
     });
     const choice = page.getByRole('combobox', { name: 'Window' }).first();
-    expect(await choice.locator('option').allTextContents()).toEqual(['Other', 'Mediastinum', 'Lung', 'Window 3']);
+    expect(await choice.locator('option').allTextContents()).toEqual(['Mediastinum', 'Lung', 'Window 3']);
+    expect(await choice.inputValue()).toBe('Mediastinum');
     await page.locator('#a').evaluate((element) => element.shadowRoot!.querySelector('select')!.focus());
-    await page.keyboard.press('ArrowDown');
     await page.keyboard.press('ArrowDown');
     await expect.poll(() => textOf(page, '#b')).toBe('W 1500  L −600');
     expect(await choice.locator('option').allTextContents()).toEqual(['Mediastinum', 'Lung', 'Window 3']);
@@ -111,6 +111,17 @@ test.describe('the windows of a DICOM file', () => {
     await expect.poll(() => choice.inputValue()).toBe('Other');
     await choice.selectOption('Window 3');
     await expect.poll(() => textOf(page, '#a')).toBe('W 80  L 80');
+  });
+
+  test('begin with the one that panes and slices show where nobody names one', async ({ page }) => {
+    const lung = urlOf({ WindowCenter: '-600\\40', WindowWidth: '1500\\400' });
+    await open(
+      page,
+      `${view(lung)}${pane('a', 'for="v"')}${pane('b', `src="${lung}"`)}${pane('c', `src="${urlOf({})}"`)}`,
+    );
+    await settle(page);
+    for (const id of ['#a', '#b']) expect(await textOf(page, id)).toBe('W 1500  L −600');
+    expect(await textOf(page, '#c'), 'a CT without windows').toBe('W 400  L 40');
   });
 
   test('are no choice where there is one, or where a pane has colours', async ({ page }) => {
