@@ -19,6 +19,9 @@ import { openBytes } from './superblock.ts';
 /** Maximum number of soft links in a row, as in HDF5's own library. */
 const maxSoftLinks = 16;
 
+/** NetCDF-4 writes this before the name of a variable where a dimension that it does not use as its own has its name. Source: netcdf-c 4.9, nc4internal.h */
+const hiddenStart = '_nc4_non_coord_';
+
 /** Steps for each name in the path of a soft link. */
 const stepsPerName = 16;
 
@@ -69,7 +72,11 @@ class Hdf5Group implements DataGroup {
     this.#path = path;
     this.#messages = messages;
     this.#links = readLinks(open.file, messages);
-    this.names = [...this.#links.keys()];
+    this.names = [
+      ...new Set(
+        [...this.#links.keys()].map((name) => (name.startsWith(hiddenStart) ? name.slice(hiddenStart.length) : name)),
+      ),
+    ];
   }
 
   get path(): string {
@@ -86,12 +93,11 @@ class Hdf5Group implements DataGroup {
     return child instanceof Hdf5Group ? child : null;
   }
 
-  /** NetCDF-4 stores a variable under another name if a dimension that it does not use has its name. */
   array(name: string): DataArray | null {
-    const child = this.#find(name);
-    if (child instanceof Hdf5Dataset) return child;
-    const hidden = this.#find(`_nc4_non_coord_${name}`);
-    return hidden instanceof Hdf5Dataset ? hidden : null;
+    // What has the variable's own name is then the dimension alone, without numbers.
+    const hidden = this.#find(`${hiddenStart}${name}`);
+    const child = hidden instanceof Hdf5Dataset ? hidden : this.#find(name);
+    return child instanceof Hdf5Dataset ? child : null;
   }
 
   /** @param softLinks - number of soft links followed so far */

@@ -6,6 +6,7 @@ import { openHdf5 } from '../../../../src/formats/hdf5/hdf5.ts';
 import { readHdf5Radar } from '../../../../src/formats/radar/hdf5-radar.ts';
 import { fetchFile, fetchFixture } from '../../../helpers/decode.ts';
 import { errorOf } from '../../../helpers/error-of.ts';
+import { contiguous, Hdf5Builder, types } from '../../../helpers/hdf5-builder.ts';
 import { gateValues } from '../../../helpers/radar.ts';
 
 type Table = readonly (readonly number[])[];
@@ -78,5 +79,20 @@ describe('CfRadial 2 that xradar made of ODIM_H5, whose name it keeps', () => {
     expect([data.firstGate, data.gateLength, data.gates]).to.deep.equal([250, 500, 10]);
     // As h5py reads them, times scale_factor plus add_offset.
     expect([...gateValues(data).slice(0, 4)]).to.deep.equal([-31.5, -31, -30.5, -30]);
+  });
+});
+
+describe('a variable of NetCDF-4 that has the name of a dimension and is not along it', () => {
+  it('has its own name, and its own numbers', () => {
+    const builder = new Hdf5Builder();
+    const numbers = (...values: readonly number[]): number => {
+      const address = builder.place(new Uint8Array(Float64Array.from(values).buffer));
+      return builder.array(types.float64, [values.length], [contiguous(address, 8 * values.length)]);
+    };
+    const [alone, own, other] = [numbers(0, 0), numbers(1, 2, 3), numbers(4)];
+    const root = openHdf5(builder.build(builder.group({ range: alone, other, _nc4_non_coord_range: own })));
+    expect(root.names).to.deep.equal(['range', 'other']);
+    expect([...readAll(root.array('range')!)]).to.deep.equal([1, 2, 3]);
+    expect([...readAll(root.array('other')!)]).to.deep.equal([4]);
   });
 });
