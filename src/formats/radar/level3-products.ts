@@ -6,6 +6,8 @@ export type Level3Coding =
   | 'levels'
   /** Value = (least + step * (number - 2)) / 10, from halfwords 31 and 32. */
   | 'tenths'
+  /** Value = step * (number - 129) / 10. Halfword 31 is 0 or -63.5 times ten: a width has no levels below 0. */
+  | 'widths'
   /** Value = (number - offset) / scale, floats in halfwords 31 to 34. */
   | 'floats'
   /** The number itself, which stands for a kind of echo. */
@@ -56,11 +58,14 @@ export const level3Products: ReadonlyMap<number, Level3Product> = new Map<number
   [99, { ...velocity, gateLength: 250, coding: 'tenths' }],
   [153, { ...reflectivity, gateLength: 250, coding: 'tenths' }],
   [154, { ...velocity, gateLength: 250, coding: 'tenths' }],
-  [155, { ...width, gateLength: 250, coding: 'tenths' }],
+  [155, { ...width, gateLength: 250, coding: 'widths' }],
   [159, { name: 'ZDR', kind: 'differential-reflectivity', unit: 'dB', gateLength: 250, coding: 'floats' }],
   [161, { name: 'RHO', kind: 'correlation', unit: '', gateLength: 250, coding: 'floats' }],
   [163, { name: 'KDP', kind: 'other', unit: 'degrees/km', gateLength: 250, coding: 'floats' }],
   [165, { name: 'HCA', kind: 'kinds', numbers: [10, 140], unit: '', gateLength: 250, coding: 'classes' }],
+  [167, { name: 'RHO', kind: 'correlation', unit: '', gateLength: 250, coding: 'floats' }],
+  [168, { name: 'PHI', kind: 'differential-phase', unit: 'degrees', gateLength: 250, coding: 'floats' }],
+  [180, { ...reflectivity, gateLength: 150, coding: 'tenths', ...airport }],
   [181, { ...reflectivity, gateLength: 150, coding: 'levels', ...airport }],
   [182, { ...velocity, gateLength: 150, coding: 'tenths', ...airport }],
   [186, { ...reflectivity, gateLength: 300, coding: 'tenths', ...airport }],

@@ -99,6 +99,10 @@ function valuesOf({ codes }: Level3Radials, { levels }: Level3Message, { coding,
       const [least, step] = [levels.getInt16(0), levels.getInt16(2)];
       return scaled(codes, step / 10, (least - firstValid * step) / 10);
     }
+    case 'widths': {
+      const step = levels.getInt16(2);
+      return scaled(codes, step / 10, (-zeroWidth * step) / 10);
+    }
     case 'floats': {
       const [scale, offset] = [levels.getFloat32(0), levels.getFloat32(4)];
       return scaled(codes, 1 / scale, -offset / scale);
@@ -107,6 +111,9 @@ function valuesOf({ codes }: Level3Radials, { levels }: Level3Message, { coding,
       return { samples: codes.map((code) => (code === rangeFolded ? 0 : code)), slope: 1, intercept: 0 };
   }
 }
+
+/** The number of a spectrum width of 0. Source: MetPy 1.7, `DigitalSPWMapper`; Py-ART 2.3, which takes halfword 31 for it, -63.5 */
+const zeroWidth = 129;
 
 /** Of the kinds of echo of product 165, the one that is none. Source: ICD 2620001, note on product 165; MetPy 1.7, `DigitalHMCMapper` */
 const rangeFolded = 150;

@@ -102,7 +102,7 @@ function checkObject(root: DataGroup): void {
   const words = Object.hasOwn(otherObjects, object) ? `, ${otherObjects[object]}` : '';
   throw new VolumeViewError(
     'format/unsupported',
-    `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`,
+    `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN). Fetch the radar's volume instead, or read this object with wradlib or xradar`,
   );
 }
 

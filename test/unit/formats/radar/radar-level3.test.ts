@@ -40,6 +40,50 @@ describe('NEXRAD Level III', () => {
     });
   }
 
+  it('reads reflectivity of an airport, and correlation and phase in fine radials, as MetPy does', async () => {
+    const { numbers } = builtProducts.reflectivity153;
+    // MetPy 1.7.1: 256 levels from -32 dBZ on; (number - offset) / scale.
+    for (const [code, levels, name, unit, grid, valueOf] of [
+      [180, [-320, 5, 254], 'REF', 'dBZ', { firstGate: 75, gateLength: 150 }, (n: number) => -32 + (n - 2) / 2],
+      [
+        167,
+        { scale: 300, offset: -60.5 },
+        'RHO',
+        '',
+        { firstGate: 125, gateLength: 250 },
+        (n: number) => (n + 60.5) / 300,
+      ],
+      [
+        168,
+        { scale: 0.5, offset: 2 },
+        'PHI',
+        'degrees',
+        { firstGate: 125, gateLength: 250 },
+        (n: number) => (n - 2) / 0.5,
+      ],
+    ] as const) {
+      const { sweeps, moments, beamWidth } = await readLevel3(buildLevel3({ code, levels, numbers }));
+      expect([moments[0].name, moments[0].unit]).to.deep.equal([name, unit]);
+      expect(beamWidth).to.equal(code === 180 ? 0.55 : 0.95);
+      const data = sweeps[0].read(name)!;
+      expect(data).to.include(grid);
+      gateValues(data).forEach((value, i) => {
+        const number = numbers.flat()[i];
+        if (number < 2) expect(Number.isNaN(value), `gate ${i}`).to.equal(true);
+        else expect(value).to.be.closeTo(valueOf(number), 1e-6);
+      });
+    }
+  });
+
+  it('a spectrum width of 0 has the number 129, whatever the head says of the least one', async () => {
+    for (const least of [0, -635]) {
+      const { sweeps } = await readLevel3(
+        buildLevel3({ code: 155, numbers: [[0, 129, 130, 167]], levels: [least, 5, 254] }),
+      );
+      expect([...gateValues(sweeps[0].read('SW')!)]).to.deep.equal([NaN, 0, 0.5, 19]);
+    }
+  });
+
   it('has its radar, time, elevation, the middles of radials, and gates along the beam', async () => {
     const file = await readLevel3(buildLevel3(builtProducts.reflectivity94));
     // Py-ART 2.3.0: 33.172, -86.77, 231.3432 m, 2015-01-02T02:05:33Z, 3.4 degrees; radials start at 355.5, 356.5 ...

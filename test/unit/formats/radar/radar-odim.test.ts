@@ -317,7 +317,7 @@ describe('ODIM_H5 files that are refused', () => {
   it('name other objects in words', async () => {
     const error = await expectError(readOdim(await patched('odim-2.0.h5', 'PVOL', 'COMP')));
     expect(error.code).to.equal('format/unsupported');
-    expect(error.message).to.contain('COMP, a composite of radars').and.to.contain('PVOL');
+    expect(error.message).to.contain('COMP, a composite of radars').and.to.contain('PVOL').and.to.contain('wradlib');
   });
 
   it('say what is not HDF5, and what is cut', async () => {
