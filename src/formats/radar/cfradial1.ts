@@ -5,25 +5,26 @@ import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf/netcdf3.ts';
 import { takeDuring } from '../base/take-during.ts';
+import { packArray, readValues } from './cf-packing.ts';
 import {
-  corrupt,
   describeMoment,
   describePlatform,
   firstNumber,
   isNumericVariable,
-  meanElevation,
-  packArray,
   readElevations,
-  readRange,
   readSite,
   readStart,
   readTime,
   readTransitions,
   requireNumbers,
+  settleElevations,
   wrapAzimuths,
 } from './cfradial-parts.ts';
+import { corrupt } from './cfradial-problem.ts';
+import { readGatePlace } from './cfradial-ranges.ts';
+import type { GatePlace } from './cfradial-parts.ts';
 import { checkBeamWidth } from './beam-width.ts';
-import { padRows } from './gate-samples.ts';
+import { pickRows } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
 import { mixingOf } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
@@ -39,6 +40,11 @@ interface Radials {
   readonly sweep: number;
   readonly from: number;
   readonly count: number;
+}
+
+/** Radials and, read when it is asked for, where their gates lie. */
+interface PlacedRadials extends Radials {
+  placeOf(): GatePlace;
 }
 
 /** What all sweeps share. */
@@ -121,7 +127,7 @@ function openScan(root: DataGroup, budget: Budget): Scan {
   const ragged = isRagged
     ? { gates: requireNumbers(root, 'ray_n_gates', radials), starts: requireNumbers(root, 'ray_start_index', radials) }
     : null;
-  const points = ragged ? ragged.gates.reduce((sum, count) => sum + count, 0) : NaN;
+  const points = ragged ? ragged.gates.reduce((end, count, i) => Math.max(end, ragged.starts[i] + count), 0) : NaN;
   const holdsGates = (array: DataArray): boolean => {
     const { shape } = array;
     const isGrid = shape.length === 2 && shape[0] === radials && shape[1] === gates;
@@ -162,42 +168,37 @@ function readSweep(scan: Scan, radials: Radials): RadarSweep {
   budget.take(count * bytesPerRadial, `the angles of sweep ${radials.sweep}`);
   budget.step(count, `the angles of sweep ${radials.sweep}`);
   const azimuths = root.array('azimuth')!;
-  const elevations = root.array('elevation');
-  const fixed = firstNumber(root, 'fixed_angle', radials.sweep);
+  let place: GatePlace | undefined;
+  const placed: PlacedRadials = { ...radials, placeOf: () => (place ??= readGatePlace(root, radials)) };
+  const elevations = readElevations(root.array('elevation'), radials);
   const time = readTime(root, from);
   const nyquist = firstNumber(root, 'nyquist_velocity', from);
-  if (fixed === undefined && !elevations) throw corrupt('has neither fixed_angle nor elevation');
-  const ofRadials = readElevations(elevations, radials);
   const transitions = readTransitions(root.array('antenna_transition'), radials);
   return {
-    elevation:
-      fixed !== undefined && Math.abs(fixed) <= 180
-        ? fixed
-        : meanElevation(elevations!.readRows(from, count), elevations!.path),
-    azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
-    ...(ofRadials ? { elevations: ofRadials } : {}),
+    ...settleElevations(firstNumber(root, 'fixed_angle', radials.sweep), elevations, `sweep ${radials.sweep}`),
+    azimuths: wrapAzimuths(readValues(azimuths, from, count), azimuths.path),
     ...(transitions ? { transitions } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: names,
     gridOf: (moment) => {
       const array = moments.get(moment);
-      return array ? readGrid(scan, array, radials) : null;
+      return array ? readGrid(scan, array, placed) : null;
     },
     read: (moment) => {
       const array = moments.get(moment);
-      return array ? readGates(scan, array, radials) : null;
+      return array ? readGates(scan, array, placed) : null;
     },
   };
 }
 
-function readGrid(scan: Scan, array: DataArray, radials: Radials): SweepGates {
+function readGrid(scan: Scan, array: DataArray, radials: PlacedRadials): SweepGates {
   const gates = array.shape.length === 2 ? array.shape[1] : longestOf(scan, radials);
   refuseSweep(array.path, radials.count, gates);
-  return { ...readPlace(scan.root, radials), gates };
+  return { ...radials.placeOf(), gates };
 }
 
-function readGates(scan: Scan, array: DataArray, radials: Radials): SweepData {
+function readGates(scan: Scan, array: DataArray, radials: PlacedRadials): SweepData {
   const grid = readGrid(scan, array, radials);
   if (array.shape.length !== 2) return { ...grid, ...readRagged(scan, array, { ...radials, gates: grid.gates }) };
   return { ...grid, ...packArray(array, array.readRows(radials.from, radials.count)) };
@@ -208,36 +209,27 @@ function longestOf({ ragged }: Scan, { from, count }: Radials): number {
   return ragged?.gates.subarray(from, from + count).reduce((max, length) => Math.max(max, length), 0) ?? 0;
 }
 
-/** Middle of the first gate and gate length: the file's, or if its radials differ, those of the sweep's first radial. */
-function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGate' | 'gateLength'> {
-  const firstGate = firstNumber(root, 'ray_start_range', from);
-  const gateLength = firstNumber(root, 'ray_gate_spacing', from);
-  if (firstGate !== undefined && gateLength !== undefined && gateLength > 0) return { firstGate, gateLength };
-  const range = root.array('range');
-  if (!range) throw corrupt('has no variable range');
-  return readRange(range);
-}
-
-/** Reads radials of different lengths. Each of them is a part of one long row. */
+/** Reads radials of different lengths. Each of them is a part of one long row, in any order. */
 function readRagged(
   { ragged, budget }: Scan,
   array: DataArray,
   { from, count, gates }: Radials & { readonly gates: number },
 ): PackedGates {
   if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
-  const lengths = Array.from(ragged.gates.subarray(from, from + count));
+  const lengths = ragged.gates.subarray(from, from + count);
   const starts = ragged.starts.subarray(from, from + count);
-  // In all files that are known, radials follow one another; then they are one part of the row.
-  const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
-  if (!isRun)
-    throw new VolumeViewError(
-      'format/unsupported',
-      `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`,
+  const [points] = array.shape;
+  if (!lengths.every((length, i) => length >= 0 && starts[i] >= 0 && starts[i] + length <= points))
+    throw corrupt(
+      `got radials that begin or end outside of ${array.path}; expected ray_start_index from 0 to ${points}`,
     );
-  const values = lengths.reduce((sum, length) => sum + length, 0);
+  // Of all sweeps that are known, the radials follow one another; then this is no more than they are.
+  const first = starts.reduce((min, start) => Math.min(min, start), points);
+  const values = starts.reduce((max, start, i) => Math.max(max, start + lengths[i]), first) - first;
   // The values take memory in addition to the rectangle that is made of them.
   return takeDuring(budget, { bytes: 4 * values, what: array.path }, () => {
-    const packed = packArray(array, array.readRows(starts[0], values));
-    return { ...packed, samples: padRows(packed.samples, lengths, gates) };
+    const packed = packArray(array, array.readRows(first, values));
+    const rows = { starts: starts.map((start) => start - first), lengths, longest: gates };
+    return { ...packed, samples: pickRows(packed.samples, rows) };
   });
 }

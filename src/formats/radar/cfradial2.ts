@@ -3,23 +3,23 @@ import { Budget } from '../base/budget.ts';
 import { textOf } from '../base/data-tree.ts';
 import type { DataArray, DataGroup } from '../base/data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
+import { packArray, readValues } from './cf-packing.ts';
 import {
-  corrupt,
   describeMoment,
   describePlatform,
   firstNumber,
   firstText,
   isNumericVariable,
-  meanElevation,
-  packArray,
   readElevations,
   readRange,
   readSite,
   readStart,
   readTime,
   readTransitions,
+  settleElevations,
   wrapAzimuths,
 } from './cfradial-parts.ts';
+import { corrupt } from './cfradial-problem.ts';
 import { checkBeamWidth } from './beam-width.ts';
 import { mixingOf } from './moment-kind.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
@@ -135,9 +135,8 @@ function readSweep(
   const elevations = readElevations(group.array('elevation'), { from: 0, count: radials });
   const transitions = readTransitions(group.array('antenna_transition'), { from: 0, count: radials });
   return {
-    elevation: readElevation(root, group, index),
-    azimuths: wrapAzimuths(azimuths.readRows(0, radials), azimuths.path),
-    ...(elevations ? { elevations } : {}),
+    ...settleElevations(readNominal(root, group, index), elevations, group.path),
+    azimuths: wrapAzimuths(readValues(azimuths, 0, radials), azimuths.path),
     ...(transitions ? { transitions } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
@@ -167,13 +166,10 @@ function findMoments(group: DataGroup, radials: number, gates: number): Map<stri
   return moments;
 }
 
-function readElevation(root: DataGroup, group: DataGroup, index: number): number {
-  const fixed =
+function readNominal(root: DataGroup, group: DataGroup, index: number): number | undefined {
+  return (
     firstNumber(group, 'sweep_fixed_angle') ??
     firstNumber(group, 'fixed_angle') ??
-    firstNumber(root, 'sweep_fixed_angle', index);
-  if (fixed !== undefined && Math.abs(fixed) <= 180) return fixed;
-  const elevations = group.array('elevation');
-  if (!elevations) throw corrupt(`has neither sweep_fixed_angle nor elevation in ${group.path}`);
-  return meanElevation(elevations.readRows(0, elevations.shape[0] ?? 1), elevations.path);
+    firstNumber(root, 'sweep_fixed_angle', index)
+  );
 }

@@ -154,7 +154,9 @@ function listCandidates({ sweeps }: RadarFile, moment: string): Candidates {
     const sweep = whole.transitions ? skipRadials(whole, whole.transitions) : whole;
     inTransition += whole.azimuths.length - sweep.azimuths.length;
     const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
-    const grid = Math.abs(sweep.elevation) <= 90 ? sweep.gridOf(moment) : null;
+    if (!(Math.abs(sweep.elevation) <= 90))
+      return void unused.push({ sweep, why: `${name} is left out: no antenna looks there; expected -90° to 90°` });
+    const grid = sweep.gridOf(moment);
     if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0))
       return void unused.push({ sweep, why: `${name} holds no ${moment}` });
     const fault = sweep.faultOf?.(moment);

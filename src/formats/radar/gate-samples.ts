@@ -88,18 +88,19 @@ function packFloats(
   return { samples, slope: 1, intercept: 0, ...(invalid > 0 ? { invalid } : {}) };
 }
 
-/**
- * Copies rows of different lengths into a rectangle, with no data after the end of each row.
- * @param samples - rows one after another, without gaps
- */
-export function padRows(samples: Samples, lengths: readonly number[], longest: number): Samples {
-  const padded = allocateLike(samples, lengths.length * longest).fill(emptyOf(samples));
-  let from = 0;
-  for (const [row, length] of lengths.entries()) {
-    padded.set(samples.subarray(from, from + length), row * longest);
-    from += length;
-  }
-  return padded;
+/** Where rows lie in samples. */
+export interface Rows {
+  readonly starts: Float64Array;
+  readonly lengths: Float64Array;
+  /** Not less than any of the lengths. */
+  readonly longest: number;
+}
+
+/** Copies rows of different lengths into a rectangle, with no data after the end of each row. */
+export function pickRows(samples: Samples, { starts, lengths, longest }: Rows): Samples {
+  const picked = allocateLike(samples, lengths.length * longest).fill(emptyOf(samples));
+  lengths.forEach((length, row) => picked.set(samples.subarray(starts[row], starts[row] + length), row * longest));
+  return picked;
 }
 
 /** Zeros of the same type. */

@@ -64,11 +64,6 @@ interface Level {
   readonly beams: Beam[];
 }
 
-/** Whether an antenna in this mode keeps its azimuth and turns in elevation. Source: CfRadial 1.4, table 5.1 */
-export function isRangeHeight(mode: string | undefined): boolean {
-  return /rhi|elevation_surveillance/i.test(mode ?? '');
-}
-
 /**
  * The radials of range-height scans, sorted into sweeps. Where an antenna goes on over the zenith, its radials lie on the other side.
  * @param scans - as in the file; each has the elevations of its radials
