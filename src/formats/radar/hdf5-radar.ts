@@ -19,6 +19,12 @@ export async function readHdf5Radar(
   if (isOdim(root)) return readOdimTree(root, budget);
   if (isCfradial1(root)) return readCfradial1Tree(root, budget);
   if (isCfradial2(root)) return readCfradial2Tree(root, budget);
+  // Source: xradar 0.12, `gamic.py`; ODIM_H5 counts its groups from 1.
+  if (root.names.includes('scan0'))
+    throw new VolumeViewError(
+      'format/unsupported',
+      'the HDF5 file is a radar scan as GAMIC writes it, which volume-view does not read; convert it to CfRadial, with xradar',
+    );
   const held = root.names
     .slice(0, 6)
     .map((name) => name.slice(0, 40))

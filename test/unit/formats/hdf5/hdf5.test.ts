@@ -4,7 +4,7 @@ import { readAll } from '../../../../src/formats/base/data-tree.ts';
 import { adviceOf } from '../../../../src/formats/hdf5/advice.ts';
 import { openHdf5 } from '../../../../src/formats/hdf5/hdf5.ts';
 import { readHdf5Radar } from '../../../../src/formats/radar/hdf5-radar.ts';
-import { fetchFile, fetchFixture } from '../../../helpers/decode.ts';
+import { expectError, fetchFile, fetchFixture } from '../../../helpers/decode.ts';
 import { errorOf } from '../../../helpers/error-of.ts';
 import { contiguous, Hdf5Builder, types } from '../../../helpers/hdf5-builder.ts';
 import { gateValues } from '../../../helpers/radar.ts';
@@ -94,5 +94,15 @@ describe('a variable of NetCDF-4 that has the name of a dimension and is not alo
     expect(root.names).to.deep.equal(['range', 'other']);
     expect([...readAll(root.array('range')!)]).to.deep.equal([1, 2, 3]);
     expect([...readAll(root.array('other')!)]).to.deep.equal([4]);
+  });
+});
+
+describe('radar scans in HDF5 of their own layout', () => {
+  it('those of GAMIC are refused with what to do', async () => {
+    const builder = new Hdf5Builder();
+    const [what, scan0] = [builder.group({}), builder.group({})];
+    const { code, message } = await expectError(readHdf5Radar(builder.build(builder.group({ what, scan0 }))));
+    expect(code).to.equal('format/unsupported');
+    expect(message).to.contain('GAMIC').and.to.contain('xradar');
   });
 });
