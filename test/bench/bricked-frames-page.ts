@@ -4,6 +4,7 @@ import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { cutIntoBricks } from '../helpers/bricks.ts';
 import { changePlan, drawAt } from '../helpers/change-plan.ts';
@@ -35,6 +36,9 @@ export interface BrickedRow {
   /** RMS of the pixels of both, of 255. */
   readonly difference: number;
 }
+
+/** Voxels along each edge of a macrocell of a large volume, and of a brick. */
+const largeCells = 8;
 
 /** Frames are timed together until they took so long, ms: processor time is counted in hundredths of a second. */
 const minTimed = 400;
@@ -73,7 +77,13 @@ async function compareLook(
   look: (typeof looks)[number],
   options: BrickedOptions,
 ): Promise<BrickedRow[]> {
-  const whole = await open(bench, { volume, around: volume.grid, style: look.style }, options);
+  // Volumes that are large enough for bricks have macrocells of this size.
+  const macrocells = buildMacrocells(volume.samples, volume.grid.dimensions, largeCells);
+  const whole = await open(
+    bench,
+    { volume: { ...volume, macrocells }, around: volume.grid, style: look.style },
+    options,
+  );
   const rows: BrickedRow[] = [];
   for (const way of ways) {
     const { volume: bricked } = cutIntoBricks(volume, 3, () => true, way.groupSide);
